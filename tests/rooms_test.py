@@ -27,7 +27,6 @@ floors = [
     ["tests/study/sweep"],
     ["tests/study/claims"],
     ["tests/study/corpus"],
-    ["tests/study/steps"],
     ["tests/study/program"],
     ["tests/study"],
     ["tests/golden", "tests/bench", "tests/fuzz", "tests"],

@@ -16,5 +16,6 @@ namespace walkthroughs::page      { using namespace catalogue; }
 namespace walkthroughs::live      { using namespace page; }
 namespace walkthroughs::output    { using namespace live; }
 namespace walkthroughs::pairs     { using namespace output; }
-namespace walkthroughs::judge     { using namespace pairs; }
+namespace walkthroughs::steps     { using namespace pairs; }
+namespace walkthroughs::judge     { using namespace steps; }
 namespace walkthroughs::program   { using namespace judge; }

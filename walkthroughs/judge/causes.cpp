@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "walkthroughs/judge/mistakes.hpp"
 #include "walkthroughs/judge/starts.hpp"
 #include "walkthroughs/pairs/dice.hpp"
+#include "walkthroughs/steps/mistakes.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs::judge {

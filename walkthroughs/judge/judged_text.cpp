@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "walkthroughs/steps/mistakes.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
@@ -153,6 +154,27 @@ std::string behaviour(const Judgement& found) {
   return text;
 }
 
+/// Of those that it tells.
+std::string first_wrong_step_line(const StepsLooked& steps) {
+  const LookedSearch* const shown = steps.shown();
+  return shown ? "first wrong step: " + first_wrong_step(*shown) + "\n" : "";
+}
+
+std::string note_on_steps(const StepsLooked& steps) {
+  if (!steps.complaint.empty())
+    return "note: a line is meant as a step and is none: " + message_line(steps.complaint) + "\n";
+  if (steps.searches == 0) return "";
+  const LookedSearch* const shown = steps.shown();
+  std::string text = shown ? "first wrong step: " + first_wrong_step(*shown) + "\n" : "";
+  text +=
+      "note: it tells its steps, " + count(steps.steps) + " in " + count(steps.searches, "search", "searches") + ": " +
+      (steps.wrong == 0 ? "none is wrong" : count(steps.wrong, "search has a wrong one", "searches have wrong ones"));
+  if (steps.repaired > 0) text += ", of which " + count(steps.repaired, "is", "are") + " answered rightly all the same";
+  if (steps.rounding > 0) text += "; in " + count(steps.rounding) + " rounding may be why the report makes another";
+  if (steps.otherwise > 0) text += "; " + count(steps.otherwise) + " others are as right as the report's";
+  return text + "\n";
+}
+
 /// What is known of it already.
 std::string accepted_line(const Report& report) {
   if (!report.accepted) return "";
@@ -192,6 +214,21 @@ Json json_of(const Judged& each) {
   if (!each.detail.empty()) pair["detail"] = printable(each.detail);
   pair.update(Json::parse(question_line({each.asked.pair.a, each.asked.pair.b})));
   return pair;
+}
+
+constexpr std::array kinds_of_findings{"wrong", "rounding", "otherwise"};
+
+Json json_of(const StepsLooked& steps) {
+  Json all = {{"searches", steps.searches}, {"steps", steps.steps},       {"wrong", steps.wrong},
+              {"repaired", steps.repaired}, {"rounding", steps.rounding}, {"otherwise", steps.otherwise}};
+  if (!steps.complaint.empty()) all["complaint"] = printable(steps.complaint);
+  if (const LookedSearch* const shown = steps.shown()) {
+    Json findings = Json::array();
+    for (const StepFinding& each : shown->findings)
+      findings.push_back({{"iteration", each.iteration}, {"is", kinds_of_findings[each.kind]}, {"words", each.words}});
+    all["first"] = {{"name", printable(shown->run.name)}, {"findings", findings}};
+  }
+  return all;
 }
 
 Json list_of(const std::vector<Judged>& all) {
@@ -236,7 +273,8 @@ std::optional<std::string> why_not_judged(const Judgement& judgement) {
 
 std::string first_screen(const Report& report) {
   return verdict_line(report) + worst_line(report) + scene_line(report) + cause_line(report) + next_line(report) +
-         accepted_line(report) + behaviour(report.judgement);
+         accepted_line(report) + behaviour(report.judgement) + first_wrong_step_line(report.steps) +
+         note_on_steps(report.steps);
 }
 
 std::string table(const Report& report) {
@@ -256,6 +294,20 @@ std::string table(const Report& report) {
   return text;
 }
 
+std::string steps_text(const Report& report) {
+  const StepsLooked& steps = report.steps;
+  std::string text;
+  for (const LookedSearch& search : steps.found)
+    for (const StepFinding& each : search.findings) {
+      text += message_line(search.run.name) + ", iteration " + std::to_string(each.iteration) +
+              (each.kind == StepFinding::otherwise ? ", as right: " : ": ") + message_line(each.words) + "\n";
+      for (const std::size_t m : each.mistakes)
+        text += "  that is what follows from M" + std::to_string(m + 1) + ": " + mistakes()[m].name + "\n";
+    }
+  const bool tells_none = steps.searches == 0 && steps.complaint.empty();
+  return text + (tells_none ? "it tells no steps; 'gjkstep judge --help' says how\n" : note_on_steps(steps));
+}
+
 std::string json(const Report& report) {
   const Judgement& found = report.judgement;
   Json causes = Json::array(), families = Json::object();
@@ -269,6 +321,7 @@ std::string json(const Report& report) {
               {"families", families},          {"causes", causes},
               {"worst", list_of(found.worst)}, {"failed", list_of(found.failed)},
               {"notes", behaviour(found)}};
+  if (report.steps.searches > 0 || !report.steps.complaint.empty()) all["steps"] = json_of(report.steps);
   if (report.accepted) all["new"] = report.accepted->news(found);
   return all.dump(1) + "\n";
 }

@@ -8,6 +8,7 @@
 
 #include "walkthroughs/judge/causes.hpp"
 #include "walkthroughs/judge/judge.hpp"
+#include "walkthroughs/judge/told_steps.hpp"
 
 namespace walkthroughs::judge {
 
@@ -28,6 +29,7 @@ struct Report {
   std::vector<Cause> causes;
   std::optional<Accepted> accepted = {};
   std::string saved = {};  ///< the folder of its scenes; else empty
+  StepsLooked steps = {};
 };
 
 /// Returns: why nothing can be said of the program, if that is so: it answered nothing, or was given up, or wrote more than was asked.
@@ -39,6 +41,9 @@ std::string first_screen(const Report& report);
 
 /// Returns: a table in Markdown, a row a family.
 std::string table(const Report& report);
+
+/// Returns: each search of which something was found, step by step.
+std::string steps_text(const Report& report);
 
 /// Returns: all of it as JSON.
 std::string json(const Report& report);

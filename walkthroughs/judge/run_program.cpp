@@ -212,8 +212,8 @@ class Talk {
  public:
   using Counts = std::function<bool(std::string_view)>;
 
-  Talk(Streams&& streams, std::span<const std::string> questions, const Counts& counts)
-      : streams_(std::move(streams)), questions_(questions), counts_(counts) {
+  Talk(Streams&& streams, std::span<const std::string> questions, const Counts& counts, std::size_t most)
+      : streams_(std::move(streams)), questions_(questions), counts_(counts), most_lines_(most * questions.size()) {
     for (const File* const file : {&streams_.in.write, &streams_.out.read, &streams_.err.read})
       ::fcntl(file->get(), F_SETFL, O_NONBLOCK);
     take_question();
@@ -242,7 +242,7 @@ class Talk {
 
   bool output_is_open() const { return streams_.out.read.is_open(); }
   bool input_was_refused() const { return input_was_refused_; }
-  bool has_too_many_lines() const { return lines_seen_ > questions_.size() || has_too_many_others_; }
+  bool has_too_many_lines() const { return lines_seen_ > most_lines_ || has_too_many_others_; }
   bool has_long_line() const { return line_.size() > longest_line; }
   bool is_flooded() const { return has_too_many_lines() || has_long_line(); }
 
@@ -293,7 +293,7 @@ class Talk {
 
   void take_line(RunOfProgram& run) {
     if (counts_(line_)) {
-      if (++lines_seen_ <= questions_.size()) run.lines.push_back(line_);
+      if (++lines_seen_ <= most_lines_) run.lines.push_back(line_);
       return;
     }
     if (run.others++ == 0) run.first_other = line_;
@@ -304,6 +304,7 @@ class Talk {
   Streams streams_;
   std::span<const std::string> questions_;
   const Counts& counts_;
+  std::size_t most_lines_;
   std::size_t next_ = 0, lines_seen_ = 0;
   bool has_too_many_others_ = false;
   std::string unwritten_, line_;
@@ -326,7 +327,8 @@ std::optional<int> status_of(pid_t child) {
 }  // namespace
 
 RunOfProgram run_program(const std::vector<std::string>& words, std::span<const std::string> questions,
-                         std::chrono::milliseconds limit, const std::function<bool(std::string_view)>& counts) {
+                         std::chrono::milliseconds limit, const std::function<bool(std::string_view)>& counts,
+                         std::size_t most) {
   const KeptBack signals;
   const NoSigpipe no_sigpipe;
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
@@ -334,7 +336,7 @@ RunOfProgram run_program(const std::vector<std::string>& words, std::span<const 
   const std::vector<pid_t> before = own_children();
   Streams streams;
   const pid_t group = start_watching(), child = start(words, streams, group, signals);
-  Talk talk(std::move(streams), questions, counts);
+  Talk talk(std::move(streams), questions, counts, most);
   RunOfProgram run;
   std::optional<int> status;
   for (Clock::time_point late = Clock::now() + limit;

@@ -47,10 +47,12 @@ struct RunOfProgram {
 /// them; nor is it where this process is ended meanwhile. Where SIGKILL ends it, only what has left the group is left.
 /// Children that this process had before are left alone.
 ///
-/// `counts`: which lines are answers. Of others there may be a hundred a question; they do not lengthen the time limit.
+/// `counts`: which lines are wanted; `most`: so many of these a question. Of others there may be a hundred a question; they do not
+/// lengthen the time limit.
 ///
 /// Requires: no other thread of this process starts children meanwhile. Errors: CannotStart; std::system_error.
 RunOfProgram run_program(const std::vector<std::string>& words, std::span<const std::string> questions,
-                         std::chrono::milliseconds limit, const std::function<bool(std::string_view)>& counts);
+                         std::chrono::milliseconds limit, const std::function<bool(std::string_view)>& counts,
+                         std::size_t most = 1);
 
 }  // namespace walkthroughs::judge

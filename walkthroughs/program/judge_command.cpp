@@ -50,6 +50,10 @@ understood, too. Whatever else it prints is no answer, and is shown. It may answ
 Without --families, --count and --pairs it is asked about the kept pairs (published failures, the smallest pairs on which mistakes
 show, needles, contact, 1e+-100) and about 100 of each family. The truth of each is the certified answer, its certificate
 multiplied out in fractions. The same seed makes the same pairs.
+With JUDGE_STEPS in its environment it may tell its steps, a line at the end of each iteration, before its answer:
+  {"direction": [x,y,z], "simplex": [[x,y,z],...]}
+the direction that it searched along, and the simplex after it was reduced, points a - b, the newest last. What the adapters
+call judge_step does that. Each step is made again from the simplex before it; wrong ones are told from those that are as right.
 How wrong an answer is: how far the sets would have to be moved to make it right, relative to the diagonal of the box around both.
 Exit codes: 0 all is right (or, with --accept, nothing is newly wrong), 1 something is not, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be read, or a program
 that does not answer, 5 cannot write.
@@ -70,7 +74,7 @@ struct JudgeCommand {
   std::uint64_t count = 100, seed = 1;
   double time_limit = 2, tolerance = 0;
   std::string numbers = "double", touching = "yes";
-  bool in_plane = false, as_json = false, as_table = false, makes_pairs = false, force = false;
+  bool in_plane = false, as_json = false, as_table = false, as_steps = false, makes_pairs = false, force = false;
   std::string options;  ///< as they were given
 
   int run() const;
@@ -146,7 +150,8 @@ void JudgeCommand::expect_possible() const {
     throw UsageError(
         "what is to be judged? Write it after --, for example gjkstep judge -- ./mine; 'gjkstep judge --help' says how "
         "it is asked");
-  if (as_json && as_table) throw UsageError("--json and --table are both what is printed; leave one out");
+  if (as_json + as_table + as_steps > 1)
+    throw UsageError("--json, --table and --steps are each what is printed; leave all but one out");
 }
 
 void JudgeCommand::write_scenes(const judge::Judgement& judgement) const {
@@ -230,6 +235,8 @@ judge::Report JudgeCommand::report() const {
     if (const auto why = judge::why_not_judged(report.judgement))
       throw InputError(report.program + " " + *why + "; 'gjkstep judge --help' says how it is asked");
     report.causes = judge::probable_causes(asked, report.judgement, standard());
+    report.steps = judge::look_at_steps(asked, report.judgement);
+    judge::add_cause(report.steps, report.causes);
   } catch (const judge::CannotStart& error) {
     throw UsageError(error.what());
   } catch (const std::system_error& error) {
@@ -255,6 +262,7 @@ int JudgeCommand::run() const {
   if (accept) found.accepted = accepted(found.judgement, known);
   std::cout << (as_json    ? judge::json(found)
                 : as_table ? judge::table(found)
+                : as_steps ? judge::steps_text(found)
                            : judge::first_screen(found))
             << std::flush;
   used.tidy_manifests();
@@ -322,6 +330,7 @@ Command add_judge_command(CLI::App& app) {
                       "file of faults that are known, which are no failure; it is written where it is not there");
   add_force_flag(*command, asked->force);
   command->add_flag("--table", asked->as_table, "print a table of all families");
+  command->add_flag("--steps", asked->as_steps, "print what is to be said of the steps that it tells");
   command->add_flag("--json", asked->as_json, "print all as JSON");
   command->add_option("--adapter", asked->adapter, "print a main function for your code: c, cpp, py or mjs")
       ->check(CLI::IsMember({"c", "cpp", "py", "mjs"}));

@@ -1,15 +1,15 @@
-/// The mistakes that the judge knows, under the study's own names.
+/// The mistakes that the report's steps may hold, under the study's own names.
 #pragma once
 
-#include "walkthroughs/judge/mistakes.hpp"
+#include "walkthroughs/steps/mistakes.hpp"
 
 namespace study {
 
-using walkthroughs::judge::ask_faithfully;
-using walkthroughs::judge::Mistake;
-using walkthroughs::judge::mistakes;
-using walkthroughs::judge::Processed;
-using walkthroughs::judge::Run;
-using walkthroughs::judge::usual_first_direction;
+using walkthroughs::steps::ask_faithfully;
+using walkthroughs::steps::Mistake;
+using walkthroughs::steps::mistakes;
+using walkthroughs::steps::Processed;
+using walkthroughs::steps::Run;
+using walkthroughs::steps::usual_first_direction;
 
 }  // namespace study

@@ -15,10 +15,6 @@ void add_claims(CLI::App& program);
 /// `pairs`: pairs with their exact answers as JSON Lines on the standard output, as `gjkstep query` reads them.
 void add_pairs(CLI::App& program);
 
-/// `check-steps FILE`: which is the first step of a search that the report's algorithm would not make? Errors: std::runtime_error
-/// where one is wrong, after everything is written; walkthroughs::text::InputError.
-void add_check_steps(CLI::App& program);
-
 /// `list`: families and settings.
 void add_listing(CLI::App& program);
 

@@ -8,15 +8,14 @@ namespace {
 
 constexpr const char* footer =
     "Exit codes: 0 ok, 2 wrong usage, 3 bad input (an unreadable file),\n"
-    "5 cannot write, 1 GJK in exact numbers or a certified answer is at odds with the oracle, a program whose steps\n"
-    "were checked is wrong, or anything else.";
+    "5 cannot write, 1 GJK in exact numbers or a certified answer is at odds with the oracle, or anything else.";
 
 int run(int argc, char** argv) {
   CLI::App app("Measures how often GJK is wrong or undecided, and how long it takes, against an exact oracle.");
   app.footer(footer);
   app.require_subcommand(0, 1);
   using namespace study;
-  for (const auto add : {add_run, add_claims, add_pairs, add_check_steps, add_listing}) add(app);
+  for (const auto add : {add_run, add_claims, add_pairs, add_listing}) add(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

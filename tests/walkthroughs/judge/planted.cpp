@@ -24,6 +24,8 @@
 
 using Points = std::vector<std::array<double, 3>>;
 
+void judge_step(const std::array<double, 3>& searched_along, const Points& simplex);
+
 static std::string fault_asked_for() {
   static const char* const others[] = {"none",        "tolerance", "contact",      "planar", "limit", "nan",
                                        "translation", "order_ab",  "order_points", "floats", "depth"};
@@ -90,17 +92,26 @@ class Gjk {
   bool intersect() {
     for (int left = has("limit") ? 4 : 50; left > 0; --left) {
       if (d_.x == 0 && d_.y == 0 && d_.z == 0) return false;
-      const Vec3<T> w = support(d_);
+      const Vec3<T> searched_along = d_, w = support(d_);
       const bool missed = (s_.n > 0 || has("m2")) && is_before_origin(dot(w, d_));
       if (missed && !has("m4")) return false;
       s_.push_front(w);
-      if (contains_origin()) return !has("contact") || overlap();
+      const bool contains = contains_origin();
+      tell_step(searched_along);
+      if (contains) return !has("contact") || overlap();
       if (missed) return false;
     }
     return false;
   }
 
  private:
+  void tell_step(const Vec3<T>& searched_along) const {
+    const auto as_doubles = [](const Vec3<T>& v) { return std::array<double, 3>{double(v.x), double(v.y), double(v.z)}; };
+    Points simplex;
+    for (int i = s_.n; i-- > 0;) simplex.push_back(as_doubles(s_.p[i]));
+    judge_step(as_doubles(searched_along), simplex);
+  }
+
   static Vec3<T> farthest(const Points& points, std::size_t n, const Vec3<T>& d) {
     if (has("order_points") && n > 1) --n;
     Vec3<T> best{};

@@ -6,6 +6,12 @@
  * It returns -1 where it cannot tell. Then:
  *
  *     cc -O2 judge.c mine.c -lm -o mine && gjkstep judge -- ./mine
+ *
+ * If your search calls this at the end of each iteration, its steps are judged, too:
+ *
+ *     void judge_step(const double searched_along[3], const double (*simplex)[3], int n);
+ *
+ * The simplex is the reduced one, points a - b, the newest last (or always first).
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,6 +20,16 @@
 typedef double Point[3];
 
 int collide(const double (*a)[3], int na, const double (*b)[3], int nb);
+void judge_step(const double searched_along[3], const double (*simplex)[3], int n);
+
+void judge_step(const double searched_along[3], const double (*simplex)[3], int n) {
+  const double* d = searched_along;
+  if (getenv("JUDGE_STEPS") == NULL) return;
+  printf("{\"direction\":[%.17g,%.17g,%.17g],\"simplex\":[", d[0], d[1], d[2]);
+  for (int i = 0; i < n; ++i)
+    printf("%s[%.17g,%.17g,%.17g]", i == 0 ? "" : ",", simplex[i][0], simplex[i][1], simplex[i][2]);
+  puts("]}");
+}
 
 static void* enough(void* memory, size_t size) {
   if ((memory = realloc(memory, size)) != NULL) return memory;

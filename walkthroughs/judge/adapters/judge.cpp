@@ -5,6 +5,12 @@
 // It gets the points of two convex hulls, and returns whether the hulls have a point in common. Touching counts. Then:
 //
 //     c++ -O2 judge.cpp mine.cpp -o mine && gjkstep judge -- ./mine
+//
+// If your search calls this at the end of each iteration, its steps are judged, too:
+//
+//     void judge_step(const std::array<double, 3>& searched_along, const std::vector<std::array<double, 3>>& simplex);
+//
+// The simplex is the reduced one, points a - b, the newest last (or always first).
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -16,6 +22,17 @@
 using Points = std::vector<std::array<double, 3>>;
 
 bool collide(const Points& a, const Points& b);
+
+void judge_step(const std::array<double, 3>& searched_along, const Points& simplex) {
+  if (std::getenv("JUDGE_STEPS") == nullptr) return;
+  const auto write = [](const char* before, const std::array<double, 3>& p) {
+    std::cout << before << '[' << p[0] << ',' << p[1] << ',' << p[2] << ']';
+  };
+  std::cout.precision(17);
+  write("{\"direction\":", searched_along);
+  for (std::size_t i = 0; i < simplex.size(); ++i) write(i == 0 ? ",\"simplex\":[" : ",", simplex[i]);
+  std::cout << "]}\n";
+}
 
 /// Returns: the points [[x,y,z],...] that follow `key` in a line without blanks.
 static Points points_after(const std::string& key, const std::string& line) {

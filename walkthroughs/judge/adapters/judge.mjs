@@ -6,9 +6,16 @@
 // It returns null where it cannot tell. It may return the distance instead, as a number: 0 where they meet. Then:
 //
 //     gjkstep judge -- node judge.mjs ./mine.mjs
+//
+// If your search calls judgeStep(searchedAlong, simplex) at the end of each iteration, its steps are judged, too. The
+// simplex is the reduced one, points a - b, the newest last (or always first).
 import { resolve } from "node:path";
 import { createInterface } from "node:readline";
 import { pathToFileURL } from "node:url";
+
+globalThis.judgeStep = (direction, simplex) => {
+  if ("JUDGE_STEPS" in process.env) process.stdout.write(JSON.stringify({ direction, simplex }) + "\n");
+};
 
 function pointsOf(shape) {
   if (!shape.points) {

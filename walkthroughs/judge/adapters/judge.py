@@ -6,12 +6,21 @@ It gets the points [x, y, z] of two convex hulls. It returns True where the hull
 It returns None where it cannot tell. It may return the distance instead, as a float: 0.0 where they meet. Then:
 
     gjkstep judge -- python3 judge.py mine
+
+If your search calls step(searched_along, simplex) at the end of each iteration, its steps are judged, too: write
+`from judge import step`. The simplex is the reduced one, points a - b, the newest last (or always first).
 """
 import importlib
 import json
 import numbers
 import os
 import sys
+
+
+def step(searched_along, simplex):
+    if "JUDGE_STEPS" in os.environ:
+        numbers_of = [[float(x) for x in point] for point in [searched_along, *simplex]]
+        print(json.dumps({"direction": numbers_of[0], "simplex": numbers_of[1:]}), flush=True)
 
 
 def points_of(shape):

@@ -1,4 +1,4 @@
-#include "tests/study/steps/right_outcomes.hpp"
+#include "walkthroughs/steps/right_outcomes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,12 +7,12 @@
 #include <string_view>
 #include <utility>
 
+#include "core/certified/fraction.hpp"
 #include "core/complete.hpp"
 #include "core/gjk.hpp"
-#include "tests/study/methods/question.hpp"
 #include "walkthroughs/model/number_text.hpp"
 
-namespace study {
+namespace walkthroughs::steps {
 namespace {
 
 constexpr double flat = 1e-12;  // BC×BD·BA, of edges whose largest coordinate is 1
@@ -115,7 +115,7 @@ bool points_outward(const Vertices& vertices, const Indices& order) {
 
 std::string shown(double number) {
   constexpr std::size_t longest = 10;
-  const std::string exact = walkthroughs::model::number_text(number + 0.0);
+  const std::string exact = number_text(number + 0.0);
   if (exact.size() <= longest) return exact;
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.6g", number);
@@ -143,8 +143,8 @@ std::vector<Outcome> right_outcomes(const Vertices& vertices) {
   std::vector<Outcome> all;
   for (const Indices& order : outward_orders(vertices)) {
     all.push_back(processed<double>(vertices, order));
-    all.push_back(processed<Exact>(vertices, order));
-    all.push_back(processed<Exact, gjk::Complete<>>(vertices, order));
+    all.push_back(processed<gjk::Fraction>(vertices, order));
+    all.push_back(processed<gjk::Fraction, gjk::Complete<>>(vertices, order));
   }
   return all;
 }
@@ -155,4 +155,4 @@ gjk::Simplex<double> simplex_of(const Vertices& vertices, const Indices& order) 
 
 Indices indices_of(const gjk::Simplex<double>& simplex) { return indices_in(simplex); }
 
-}  // namespace study
+}  // namespace walkthroughs::steps

@@ -1,10 +1,10 @@
-#include "walkthroughs/judge/mistakes.hpp"
+#include "walkthroughs/steps/mistakes.hpp"
 
 #include <bit>
 
 #include "walkthroughs/wrong_on_purpose/rules.hpp"
 
-namespace walkthroughs::judge {
+namespace walkthroughs::steps {
 namespace {
 
 namespace wrong_on_purpose = walkthroughs::wrong_on_purpose;
@@ -55,7 +55,7 @@ Mistake mistake_of(const wrong_on_purpose::Description& known) {
 Run Mistake::ask(const Set& a, const Set& b) const { return ask_from(usual_first_direction, a, b); }
 
 Run ask_faithfully(const Set& a, const Set& b, const Vec3& first_direction) {
-  return judge::ask<gjk::AsIntended>(first_direction, a, b);
+  return steps::ask<gjk::AsIntended>(first_direction, a, b);
 }
 
 const std::vector<Mistake>& mistakes() {
@@ -67,4 +67,4 @@ const std::vector<Mistake>& mistakes() {
   return all;
 }
 
-}  // namespace walkthroughs::judge
+}  // namespace walkthroughs::steps

@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "core/simplex.hpp"
-#include "tests/study/pairs/pairs.hpp"
+#include "walkthroughs/steps/told_run.hpp"
 
-namespace study {
+namespace walkthroughs::steps {
 
-using Vertices = std::vector<Vec>;  ///< oldest first
-using Indices = std::vector<int>;   ///< into such a list
+using Indices = std::vector<int>;  ///< into a list of vertices
 
 struct Outcome {
   bool contains_origin = false;
@@ -39,4 +38,4 @@ Indices indices_of(const gjk::Simplex<double>& simplex);
 /// Returns: for reading, so without the sign of a zero, and short.
 std::string shown(double number);
 
-}  // namespace study
+}  // namespace walkthroughs::steps

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "core/gjk.hpp"
+#include "walkthroughs/rooms.hpp"
 
-namespace walkthroughs::judge {
+namespace walkthroughs::steps {
 
 /// How one run ended, and what is needed to see whether two runs went the same way.
 struct Run {
@@ -45,4 +46,4 @@ Run ask_faithfully(const gjk::PointSet<double>& a, const gjk::PointSet<double>& 
 /// Returns: all of them, in the report's order.
 const std::vector<Mistake>& mistakes();
 
-}  // namespace walkthroughs::judge
+}  // namespace walkthroughs::steps

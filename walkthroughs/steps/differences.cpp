@@ -1,16 +1,23 @@
-#include "tests/study/steps/differences.hpp"
+#include "walkthroughs/steps/differences.hpp"
 
 #include <algorithm>
 
-namespace study {
+namespace walkthroughs::steps {
 namespace {
 
 constexpr double same_place = 1e-9;  // of the size
+constexpr double same_rounded = 4e-6;
+constexpr double same_direction = 1e-4;  // 1 - cosine
 constexpr std::size_t most_differences = 1'000'000;
 
 bool are_too_many(const Points& a, const Points& b) { return a.size() * b.size() > most_differences; }
 
 }  // namespace
+
+bool parallel(const Vec& x, const Vec& y) {
+  const double lengths = x.stableNorm() * y.stableNorm();
+  return lengths > 0 && x.dot(y) >= (1 - same_direction) * lengths;
+}
 
 Differences::Differences(const Points& a, const Points& b) : a_(a), b_(b) {
   Vec low = a.front(), high = a.front();
@@ -20,6 +27,19 @@ Differences::Differences(const Points& a, const Points& b) : a_(a), b_(b) {
       high = high.cwiseMax(p);
     }
   size_ = (high - low).maxCoeff();
+}
+
+Vec Differences::nearest(const Vec& v) const {
+  if (are_too_many(a_, b_)) return v;
+  double least = same_rounded * size_;
+  Vec nearest = v;
+  for (const Vec& p : a_)
+    for (const Vec& q : b_)
+      if (const double off = (p - q - v).cwiseAbs().maxCoeff(); off < least) {
+        least = off;
+        nearest = p - q;
+      }
+  return nearest;
 }
 
 bool Differences::are_same(const Vec& x, const Vec& y) const {
@@ -59,4 +79,4 @@ bool Differences::is_between(const Points& a, const Points& b, const Vec& v) con
       a, [&](const Vec& p) { return std::ranges::any_of(b, [&](const Vec& q) { return are_same(p - q, v); }); });
 }
 
-}  // namespace study
+}  // namespace walkthroughs::steps

@@ -1,19 +1,20 @@
-#include "tests/study/steps/check_steps.hpp"
+#include "walkthroughs/steps/check_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <random>
 #include <utility>
 
-#include "tests/study/methods/mistakes.hpp"
-#include "tests/study/steps/differences.hpp"
-#include "tests/study/steps/right_outcomes.hpp"
-#include "tests/study/truth/linear_program.hpp"
+#include "core/certified/fraction.hpp"
+#include "walkthroughs/steps/differences.hpp"
+#include "walkthroughs/steps/mistakes.hpp"
+#include "walkthroughs/steps/right_outcomes.hpp"
 
-namespace study {
+namespace walkthroughs::steps {
 namespace {
 
-constexpr double same_direction = 1e-4;  // 1 - cosine
 constexpr double rounded_away = 1e-12;  // P·d, of the sizes of its products
 
 // -- Words ------------------------------------------------------------------------------------------------------------
@@ -36,22 +37,17 @@ std::string letters_and_places(const Vertices& vertices) {
   return text;
 }
 
-bool parallel(const Vec& x, const Vec& y) {
-  const double lengths = x.stableNorm() * y.stableNorm();
-  return lengths > 0 && x.dot(y) >= (1 - same_direction) * lengths;
-}
-
 // -- Following a search -----------------------------------------------------------------------------------------------
 
 class Following {
  public:
-  explicit Following(const ToldRun& run)
-      : run_(run), differences_(std::get<Points>(run.named.pair.a), std::get<Points>(run.named.pair.b)) {}
+  explicit Following(const ToldRun& run) : run_(run), differences_(run.pair.a, run.pair.b) {}
 
-  StepsChecked check() {
-    for (at_ = 0; at_ < run_.steps.size() && !is_done_; ++at_) follow();
-    if (checked_.iteration > 0) excuse_range();
-    return checked_;
+  StepFindings check() {
+    for (at_ = 0; at_ < run_.steps.size(); ++at_)
+      if (!follow()) go_on_from_its_own();
+    std::ranges::stable_sort(findings_, {}, &StepFinding::iteration);
+    return std::move(findings_);
   }
 
  private:
@@ -70,48 +66,69 @@ class Following {
            std::ranges::all_of(y, [&](int i) { return holds(x, i); });
   }
 
-  /// The first that is wrong.
-  void blame(int iteration, const std::string& words, const std::vector<std::size_t>& mistakes) {
-    checked_.iteration = iteration;
-    checked_.words = words;
-    checked_.mistakes = mistakes;
-    is_done_ = true;
+  void blame(int iteration, std::string words, std::vector<std::size_t> mistakes, bool may_be_rounding = false) {
+    if (!may_be_rounding) may_be_rounding = has_no_room(words, mistakes);
+    findings_.push_back({iteration, may_be_rounding ? StepFinding::rounding : StepFinding::wrong, std::move(words),
+                         std::move(mistakes)});
   }
 
-  /// ((AB×AO)×AB)·P has four factors of the sets' size, the square of (AB×AO)×AB six, and doubles have room for no more than this.
-  void excuse_range() {
+  /// ((AB×AO)×AB)·P has four factors of the sets' size, the square of (AB×AO)×AB six, and doubles have room for no more than this:
+  /// then the words say so, and no mistake is named.
+  bool has_no_room(std::string& words, std::vector<std::size_t>& mistakes) const {
     const double size = differences_.size();
     const bool vanishes = size > 0 && size < 0x1p-170;
     const bool overflows = size > 0x1p+170;
-    if (checked_.may_be_rounding || (!vanishes && !overflows)) return;
-    checked_.words += "; but of sets of the size " + shown(size) + " products of " +
-                      (size < 0x1p-255 || size > 0x1p+255 ? "four" : "six") + " lengths " +
-                      (vanishes ? "vanish" : "overflow") + " in doubles: that may be the reason, and no line wrong";
-    checked_.mistakes.clear();
-    checked_.may_be_rounding = true;
+    if (!vanishes && !overflows) return false;
+    words += "; but of sets of the size " + shown(size) + " products of " +
+             (size < 0x1p-255 || size > 0x1p+255 ? "four" : "six") + " lengths " + (vanishes ? "vanish" : "overflow") +
+             " in doubles: that may be the reason, and no line wrong";
+    mistakes.clear();
+    return true;
   }
 
-  void follow() {
-    if (at_ == 0 && step().direction == Vec(Vec::Zero())) return blame(1, "a search along (0, 0, 0) goes nowhere", {});
-    if (at_ > 0 && !direction_is_right()) return;
+  /// Returns: whether it was followed to its simplex.
+  bool follow() {
+    if (!step().is_of_numbers()) {
+      blame(iteration(), "what it tells are no numbers, such as nan or inf", {});
+      return false;
+    }
+    if (at_ > 0 && before_.empty()) return false;  // nothing is known of the simplex before it
+    if (step().direction == Vec(Vec::Zero()) && directions_.empty())
+      blame(iteration(), "a search along (0, 0, 0) goes nowhere", {});
+    if (!directions_.empty()) look_at_direction();
+    if (step().direction == Vec(Vec::Zero())) return false;
     const std::optional<Vec> newest = newest_vertex();
-    if (!newest) return;
+    if (!newest) return false;
     const double reach = newest->dot(step().direction);
-    if (at_ > 0 && reach < 0 && (is_sure(*newest, step().direction) || ends_with_no())) return end_outside(reach);
+    if (at_ > 0 && reach < 0 && (is_sure(*newest, step().direction) || ends_with_no())) {
+      if (ends_with_no()) return true;
+      look_at_going_on(reach);
+    }
     vertices_ = before_;
     vertices_.push_back(*newest);
-    if (vertices_.size() > 4)
-      return blame(iteration(), "the simplex before it has four vertices and was not reduced", {});
+    if (vertices_.size() > 4) {
+      blame(iteration(), "the simplex before it has four vertices and was not reduced", {});
+      return false;
+    }
+    directions_.clear();
     look_at_simplex(reach);
     before_ = step().simplex;
+    return true;
+  }
+
+  /// Of what is not understood its end is the beginning of the next step.
+  void go_on_from_its_own() {
+    before_ = step().is_of_numbers() ? step().simplex : Vertices{};
+    directions_.clear();
+    suspect_.reset();
   }
 
   // -- The direction --------------------------------------------------------------------------------------------------
 
-  bool direction_is_right() {
+  /// Requires: that the simplex before it is right.
+  void look_at_direction() {
     const Vec& d = step().direction;
-    for (const Vec& each : directions_)
-      if (parallel(each, d)) return true;
+    if (std::ranges::any_of(directions_, [&d](const Vec& each) { return parallel(each, d); })) return;
     std::vector<std::size_t> makers;
     for (std::size_t m = 0; m < mistakes().size(); ++m) {
       const Processed other = process_by(m);
@@ -127,7 +144,6 @@ class Following {
               ", yours " + (parallel(directions_.front(), -d) ? "the opposite way, " : "") + "along " + words_of(d) +
               "; there " + letters_and_places(vertices_),
           makers);
-    return false;
   }
 
   Processed process_by(std::size_t mistake) const { return process_by(mistake, as_told(vertices_)); }
@@ -172,12 +188,14 @@ class Following {
             {});
       return std::nullopt;
     }
+    const double reach = added.front().dot(step().direction), most = right.front().dot(step().direction);
     blame(iteration(),
           words_of(added.front()) + " is no point of a − b farthest along " + words_of(step().direction) +
-              ": it reaches " + shown(added.front().dot(step().direction)) + ", " + words_of(right.front()) +
-              " reaches " + shown(right.front().dot(step().direction)) + what_was_told_instead(d),
-          may_be_m1() ? std::vector<std::size_t>{0} : std::vector<std::size_t>{});
-    return std::nullopt;
+              ": it reaches " + shown(reach) + ", " + words_of(right.front()) + " reaches " + shown(most) +
+              what_was_told_instead(d),
+          may_be_m1() ? std::vector<std::size_t>{0} : std::vector<std::size_t>{},
+          most - reach <= run_.roundings * rounded_away * differences_.size() * step().direction.stableNorm());
+    return added.front();
   }
 
   /// Whether each vertex that is new in a step, of later ones too, is farthest along these multiples of its direction.
@@ -219,29 +237,31 @@ class Following {
     return !std::ranges::all_of(vertices_, [&](const Vec& v) { return std::ranges::all_of(v, is_whole); });
   }
 
-  static bool is_near_zero(const Vec& newest, const Vec& d) {
-    return std::abs(newest.dot(d)) <= rounded_away * newest.cwiseAbs().dot(d.cwiseAbs());
+  bool is_near_zero(const Vec& newest, const Vec& d) const {
+    return std::abs(newest.dot(d)) <= run_.roundings * rounded_away * newest.cwiseAbs().dot(d.cwiseAbs());
   }
 
   /// Whether every program finds that sign of P·d: it is far from 0, or 0 and nothing is rounded.
-  static bool is_sure(const Vec& newest, const Vec& d) {
+  bool is_sure(const Vec& newest, const Vec& d) const {
     if (!is_near_zero(newest, d)) return true;
-    Rational sum = 0;
+    gjk::Fraction sum = 0;
     for (Eigen::Index i = 0; i < 3; ++i) {
-      if (Rational(newest[i]) * Rational(d[i]) != Rational(newest[i] * d[i])) return false;
-      sum += Rational(newest[i] * d[i]);
+      const gjk::Fraction product(newest[i] * d[i]);
+      if (gjk::Fraction(newest[i]) * gjk::Fraction(d[i]) != product) return false;
+      sum += product;
     }
     return sum == 0;
   }
 
-  bool ends_with_no() const { return is_last() && run_.said != Said::intersecting; }
+  bool ends_with_no() const { return is_last() && run_.said != gjk::Status::intersecting; }
 
-  /// Eq. 9 says no: the search must end.
-  void end_outside(double reach) {
-    is_done_ = true;
-    if (!ends_with_no())
-      blame(iteration(),
-            "P·d = " + shown(reach) + " < 0: the origin was not crossed, so the answer is no; yours goes on", {3});
+  /// Eq. 9 says no: the search must end, unless it looks for the distance.
+  void look_at_going_on(double reach) {
+    const std::string words = "P·d = " + shown(reach) + " < 0: the origin was not crossed, so the answer is no; yours ";
+    if (run_.seeks_distance)
+      findings_.push_back({iteration(), StepFinding::otherwise, words + "goes on, toward the distance"});
+    else
+      blame(iteration(), words + "goes on", {3});
   }
 
   // -- The simplex ----------------------------------------------------------------------------------------------------
@@ -250,7 +270,8 @@ class Following {
   Indices told_indices() const {
     Indices indices;
     for (const Vec& v : step().simplex) {
-      const auto found = std::ranges::find_if(vertices_, [&](const Vec& each) { return differences_.are_same(each, v); });
+      const auto found =
+          std::ranges::find_if(vertices_, [&](const Vec& each) { return differences_.are_same(each, v); });
       indices.push_back(static_cast<int>(found - vertices_.begin()));  // newest_vertex() has looked that it is there
     }
     return indices;
@@ -269,10 +290,9 @@ class Following {
                                                    ? ", all of them (told is the simplex after it was reduced)"
                                                    : ""));
     if (!are_same_set(found->kept, right.front().kept))
-      checked_.other_choices.push_back(
-          "iteration " + std::to_string(iteration()) + " keeps " + told_letters() + " (" + found->why +
-          "), the report " + letters_of(right.front().kept, vertices_.size()) + " (" + right.front().why + ")");
-    directions_.clear();
+      findings_.push_back({iteration(), StepFinding::otherwise,
+                           "keeps " + told_letters() + " (" + found->why + "), the report " +
+                               letters_of(right.front().kept, vertices_.size()) + " (" + right.front().why + ")"});
     for (const Outcome& each : right)
       if (!each.contains_origin && are_same_set(each.kept, told_indices_)) directions_.push_back(each.direction);
     note_order(*found);
@@ -281,19 +301,22 @@ class Following {
   std::string told_letters() const { return letters_of(told_indices_, vertices_.size()); }
 
   void look_at_end(const std::vector<Outcome>& right, double reach) {
-    is_done_ = true;
     const bool contains = std::ranges::any_of(right, &Outcome::contains_origin);
-    if (run_.said == Said::intersecting && !contains) return blame_simplex(right.front(), "says yes");
-    if (run_.said == Said::intersecting || !run_.said) return;
-    if (run_.said == Said::separated && ended_by_untold_step(right)) return;
-    if (run_.said == Said::separated && at_ > 0 && !is_sure(vertices_.back(), step().direction)) return;
-    if (run_.said == Said::separated && at_ > 0 && reach == 0)
+    if (run_.said == gjk::Status::intersecting && !contains) return blame_simplex(right.front(), "says yes");
+    if (run_.said == gjk::Status::intersecting || !run_.said) return;
+    if (run_.said == gjk::Status::separated && ended_by_untold_step(right)) return;
+    if (run_.said == gjk::Status::separated && at_ > 0 && !is_sure(vertices_.back(), step().direction)) return;
+    if (run_.said == gjk::Status::separated && at_ > 0 && reach == 0) {
+      std::vector<std::size_t> makers{2};
+      if (right.front().contains_origin)
+        std::ranges::copy(makers_of_simplex("says no").mistakes, std::back_inserter(makers));
       return blame(iteration(),
                    "P·d = 0: the origin may lie on what was reached, and touching is no proof; yours says no",
-                   makers_of_no({2}));
+                   makers_of_no(std::move(makers)));
+    }
     if (right.front().contains_origin)
-      return blame_simplex(right.front(), run_.said == Said::separated ? "says no" : "says that it cannot tell");
-    if (run_.said == Said::separated)
+      return blame_simplex(right.front(), run_.said == gjk::Status::separated ? "says no" : "says that it cannot tell");
+    if (run_.said == gjk::Status::separated)
       blame(iteration(),
             "the search was ended, and the answer is no, though P·d = " + shown(reach) +
                 " ≥ 0 proves nothing; it should be undecided",
@@ -419,7 +442,8 @@ class Following {
   bool may_be_rounding(const std::string& does) const {
     if (!any_formula_rounds()) return false;
     constexpr int tries = 64;
-    constexpr double moved = 0x1p-49;  // 16 units of rounding: an expanded product of three differences has some ten
+    const double moved =
+        0x1p-49 * run_.roundings;  // 16 units of rounding: an expanded product of three differences has some ten
     std::mt19937 dice(1);
     for (int i = 0; i < tries; ++i) {
       Vertices near = vertices_;
@@ -432,11 +456,14 @@ class Following {
   }
 
   void blame_simplex(const Outcome& right, const std::string& does) {
-    if (follows_from_order(does)) return blame(suspect_->iteration, suspect_->words, suspect_->makers);
+    if (follows_from_order(does)) {
+      blame(suspect_->iteration, suspect_->words, suspect_->makers);
+      return suspect_.reset();  // what comes next does not follow from it any more
+    }
     const Indices all = as_told(vertices_);
-    checked_.may_be_rounding = may_be_rounding(does);
-    auto [order, makers] = checked_.may_be_rounding ? Makers{all, {}} : makers_of_simplex(does);
-    if (!checked_.may_be_rounding && does == "says no" && at_ > 0) makers = makers_of_no(makers);
+    const bool may_round = may_be_rounding(does);
+    auto [order, makers] = may_round ? Makers{all, {}} : makers_of_simplex(does);
+    if (!may_round && does == "says no" && at_ > 0) makers = makers_of_no(makers);
     blame(iteration(),
           "from " + letters_of(all, vertices_.size()) + " the report finds " +
               (right.why.empty() ? "" : right.why + ": ") +
@@ -446,10 +473,10 @@ class Following {
                    : "keep " + letters_of(right.kept, vertices_.size())) +
               "; yours " + does + "; there " + letters_and_places(vertices_) +
               (order == all ? "" : "; a mistake explains it in the order " + letters_of(order, vertices_.size())) +
-              (checked_.may_be_rounding ? "; of vertices moved by a few roundings the report does the same: that may be "
-                                          "the reason, and no line wrong"
-                                        : ""),
-          makers);
+              (may_round ? "; of vertices moved by a few roundings the report does the same: that may be "
+                           "the reason, and no line wrong"
+                         : ""),
+          makers, may_round);
   }
 
   bool differs_from(const Outcome& right, const Processed& other) const {
@@ -468,14 +495,20 @@ class Following {
   std::size_t at_ = 0;
   Vertices before_, vertices_;  ///< the simplex before this step, and with its new vertex
   Indices told_indices_;
-  Vertices directions_;  ///< in which the next search may go
+  Vertices directions_;  ///< in which the next search may go; none where nothing is known of that
   std::optional<Suspect> suspect_;
-  StepsChecked checked_;
-  bool is_done_ = false;
+  StepFindings findings_;
 };
 
 }  // namespace
 
-StepsChecked check_steps(const ToldRun& run) { return Following(run).check(); }
+const StepFinding* first_wrong(const StepFindings& findings) {
+  for (const StepFinding::Kind kind : {StepFinding::wrong, StepFinding::rounding})
+    if (const auto found = std::ranges::find(findings, kind, &StepFinding::kind); found != findings.end())
+      return &*found;
+  return nullptr;
+}
 
-}  // namespace study
+StepFindings check_steps(const ToldRun& run) { return Following(run).check(); }
+
+}  // namespace walkthroughs::steps

@@ -1,40 +1,23 @@
-#include "tests/study/steps/own_steps.hpp"
+#include "walkthroughs/steps/told_trace.hpp"
 
 #include <optional>
 #include <utility>
 
 #include "core/gjk.hpp"
+#include "walkthroughs/steps/differences.hpp"
 
-namespace study {
+namespace walkthroughs::steps {
 namespace {
 
-using walkthroughs::model::Trace;
 using Simplex = gjk::Simplex<double>;
 using Vertex = gjk::Vertex<double>;
 
-constexpr double same_place = 1e-9, same_direction = 1e-4;  // programs may compute in floats, and print few digits
-constexpr int most_iterations = 100;                        // of the report's algorithm, after what was told
-
-bool are_same(const Vec& v, const Vec& w) { return (v - w).norm() <= same_place * (1 + w.norm()); }
-
-bool are_same(const Simplex& x, const Simplex& y) {
-  if (x.size() != y.size()) return false;
-  for (int i = 0; i < x.size(); ++i)
-    if (!are_same(x[i].w, y[i].w)) return false;
-  return true;
-}
-
-bool has(const Simplex& simplex, const Vec& w) {
-  for (int i = 0; i < simplex.size(); ++i)
-    if (are_same(simplex[i].w, w)) return true;
-  return false;
-}
+constexpr int most_iterations = 100;  // of the report's algorithm, after what was told
 
 /// One iteration after the other: what the program tells, or what the report does in its place.
 class Steps {
  public:
-  explicit Steps(const ToldRun& run)
-      : run_(run), a_(std::get<Points>(run.named.pair.a)), b_(std::get<Points>(run.named.pair.b)) {
+  explicit Steps(const ToldRun& run) : run_(run), a_(run.pair.a), b_(run.pair.b), differences_(a_, b_) {
     trace_(gjk::SearchStarted<double>{.direction = run.steps.front().direction, .why = gjk::FirstDirection::as_told});
   }
 
@@ -51,7 +34,7 @@ class Steps {
       add(iteration, reduced(before));
     if (iteration == count()) return;
     const Vec& d = step_of(iteration + 1).direction;
-    const bool is_right = right.chosen && are_parallel(right.chosen->direction, d);
+    const bool is_right = right.chosen && parallel(right.chosen->direction, d);
     add(iteration, is_right
                        ? *right.chosen
                        : gjk::DirectionChosen<double>{.expression = gjk::Expression::Form::as_told, .direction = d});
@@ -60,10 +43,9 @@ class Steps {
   /// As the report has it, from that iteration to its end.
   void correct(int iteration) {
     const ToldStep& step = step_of(iteration);
-    const Vec own = newest_of(step).w, farthest = farthest_along(step.direction).w;
-    const bool is_farthest = own.dot(step.direction) >= farthest.dot(step.direction) - same_place * farthest.norm();
+    const Vec own = newest_of(step).w;
     Vec d = step.direction;
-    Vertex newest = vertex_at(is_farthest ? own : farthest);
+    Vertex newest = differences_.is_farthest(own, d, -d) ? vertex_at(own) : farthest_along(d);
     for (const int most = iteration + most_iterations;; ++iteration) {
       if (iteration > 1 && newest.w.dot(d) < 0) {
         add(iteration, gjk::SupportFound<double>{.direction = d, .vertex = newest});
@@ -84,14 +66,11 @@ class Steps {
   }
 
   void finish_as_told() {
-    const bool yes = run_.said == Said::intersecting, no = run_.said == Said::separated;
-    finish(count(),
-           yes  ? gjk::Status::intersecting
-           : no ? gjk::Status::separated
-                : gjk::Status::undecided,
-           yes  ? gjk::Reason::simplex_contains_origin
-           : no ? gjk::Reason::origin_not_crossed
-                : gjk::Reason::iteration_limit);
+    const gjk::Status said = run_.said.value_or(gjk::Status::undecided);
+    finish(count(), said,
+           said == gjk::Status::intersecting ? gjk::Reason::simplex_contains_origin
+           : said == gjk::Status::separated  ? gjk::Reason::origin_not_crossed
+                                             : gjk::Reason::iteration_limit);
   }
 
   int count() const { return static_cast<int>(run_.steps.size()); }
@@ -117,8 +96,17 @@ class Steps {
     return next;
   }
 
-  static bool are_parallel(const Vec& x, const Vec& y) {
-    return x.dot(y) >= (1 - same_direction) * x.stableNorm() * y.stableNorm();
+  bool are_same(const Simplex& x, const Simplex& y) const {
+    if (x.size() != y.size()) return false;
+    for (int i = 0; i < x.size(); ++i)
+      if (!differences_.are_same(x[i].w, y[i].w)) return false;
+    return true;
+  }
+
+  bool has(const Simplex& simplex, const Vec& w) const {
+    for (int i = 0; i < simplex.size(); ++i)
+      if (differences_.are_same(simplex[i].w, w)) return true;
+    return false;
   }
 
   template <class E>
@@ -163,7 +151,7 @@ class Steps {
     Vertex vertex{{w, std::nullopt}, {Vec::Zero(), std::nullopt}, w};
     for (const Vec& p : a_)
       for (const Vec& q : b_)
-        if (are_same(p - q, w)) vertex = {{p, std::nullopt}, {q, std::nullopt}, w};
+        if (differences_.are_same(p - q, w)) vertex = {{p, std::nullopt}, {q, std::nullopt}, w};
     return vertex;
   }
 
@@ -176,13 +164,14 @@ class Steps {
 
   const ToldRun& run_;
   const Points &a_, &b_;
+  Differences differences_;
   Trace trace_;
   Simplex simplex_;
 };
 
 }  // namespace
 
-Trace own_steps(const ToldRun& run) {
+Trace told_trace(const ToldRun& run) {
   Steps steps(run);
   for (int i = 1; i <= steps.count(); ++i) steps.follow(i);
   steps.finish_as_told();
@@ -196,4 +185,4 @@ Trace rightly_from(const ToldRun& run, int iteration) {
   return steps.take();
 }
 
-}  // namespace study
+}  // namespace walkthroughs::steps

@@ -1,9 +1,12 @@
 /// The points a - b of two sets, up to the rounding of programs that compute in floats, or print few digits.
 #pragma once
 
-#include "tests/study/steps/right_outcomes.hpp"
+#include "walkthroughs/steps/told_run.hpp"
 
-namespace study {
+namespace walkthroughs::steps {
+
+/// Returns: whether they lead the same way.
+bool parallel(const Vec& x, const Vec& y);
 
 class Differences {
  public:
@@ -12,6 +15,10 @@ class Differences {
 
   /// Returns: the longest edge of the box around both sets.
   double size() const { return size_; }
+
+  /// Returns: the a - b next to it, if that is the same up to the rounding of floats, or of six digits; else itself, also where there
+  /// are too many to look at.
+  Vec nearest(const Vec& v) const;
 
   bool are_same(const Vec& x, const Vec& y) const;
   bool has(const Vertices& vertices, const Vec& v) const;
@@ -33,4 +40,4 @@ class Differences {
   double size_;
 };
 
-}  // namespace study
+}  // namespace walkthroughs::steps

@@ -1,23 +1,21 @@
-#include "tests/study/steps/check_steps.hpp"
+#include "walkthroughs/steps/check_steps.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include "core/complete.hpp"
 #include "tests/kit/catch.hpp"
-#include "tests/study/corpus/shown.hpp"
-#include "tests/study/methods/mistakes.hpp"
-#include "tests/study/truth/oracle.hpp"
+#include "walkthroughs/judge/case.hpp"
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/pairs/named_pair.hpp"
-#include "walkthroughs/text/text_file.hpp"
+#include "walkthroughs/steps/mistakes.hpp"
 
-namespace study {
+namespace walkthroughs::steps {
 namespace {
 
 /// The steps that a trace tells, as a program would write them: direction, and the simplex at the end of each iteration.
 ToldRun told(const NamedPair& named, const gjk::Trace<double>& trace) {
-  ToldRun run{named, {}, {}};
+  ToldRun run{named.name, points_of(named.pair).value()};
   const auto take = [&](const gjk::Simplex<double>& simplex) {
     run.steps.back().simplex.clear();
     for (int i = 0; i < simplex.size(); ++i) run.steps.back().simplex.push_back(simplex[i].w);
@@ -29,18 +27,49 @@ ToldRun told(const NamedPair& named, const gjk::Trace<double>& trace) {
     }
     if (const auto* e = std::get_if<gjk::VertexAdded<double>>(&event)) take(e->simplex);
     if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&event)) take(e->after);
-    if (const auto* e = std::get_if<gjk::Finished<double>>(&event))
-      run.said = e->result.status == gjk::Status::intersecting ? Said::intersecting
-                 : e->result.status == gjk::Status::separated  ? Said::separated
-                                                               : Said::undecided;
+    if (const auto* e = std::get_if<gjk::Finished<double>>(&event)) run.said = e->result.status;
   }
   return run;
 }
 
-/// The same as judge_main.hpp tells it: the step that ends the search with "no" has no simplex, and is not told.
+/// The same as adapters tell it: the step that ends the search with "no" has no simplex, and is not told.
 ToldRun told_at_ends(ToldRun run) {
-  if (run.said == Said::separated && run.steps.size() > 1) run.steps.pop_back();
+  if (run.said == gjk::Status::separated && run.steps.size() > 1) run.steps.pop_back();
   return run;
+}
+
+/// What is found about a search: the first that is wrong, or may be.
+struct Looked {
+  int iteration = 0;
+  std::string words = {};
+  std::vector<std::size_t> mistakes = {};
+  bool may_be_rounding = false;
+  std::size_t other_choices = 0;
+};
+Looked look_at(const ToldRun& run) {
+  const StepFindings found = check_steps(run);
+  Looked looked;
+  if (const StepFinding* const wrong = first_wrong(found))
+    looked = {wrong->iteration, wrong->words, wrong->mistakes, wrong->kind == StepFinding::rounding};
+  looked.other_choices =
+      static_cast<std::size_t>(std::ranges::count(found, StepFinding::otherwise, &StepFinding::kind));
+  return looked;
+}
+
+bool answers_rightly(const Run& run, const PointPair& pair) {
+  return (run.status == gjk::Status::intersecting) == (judge::truth_of(pair) == gjk::Status::intersecting);
+}
+bool misleads_the_report(const NamedPair& named) {
+  const PointPair pair = points_of(named.pair).value();
+  return !answers_rightly(ask_faithfully(gjk::PointSet<double>(pair.a), gjk::PointSet<double>(pair.b)), pair);
+}
+/// Whether that mistake answers wrongly, and the report's algorithm rightly.
+bool shows(const NamedPair& named, std::size_t mistake) {
+  const PointPair pair = points_of(named.pair).value();
+  const gjk::PointSet<double> a(pair.a), b(pair.b);
+  const Run with = mistakes()[mistake].ask(a, b), without = ask_faithfully(a, b);
+  if ((with.status == gjk::Status::intersecting) == (without.status == gjk::Status::intersecting)) return false;
+  return answers_rightly(without, pair);
 }
 
 std::vector<NamedPair> smallest() {
@@ -50,11 +79,11 @@ std::vector<NamedPair> smallest() {
   return all;
 }
 
-walkthroughs::model::Scene scene_of(const NamedPair& named) {
+model::Scene scene_of(const NamedPair& named) {
   return {.name = named.name,
           .a = {"a", std::get<Points>(named.pair.a)},
           .b = {"b", std::get<Points>(named.pair.b)},
-          .dimension = walkthroughs::model::Dimension::space};
+          .dimension = model::Dimension::space};
 }
 
 gjk::PointSet<double> set(const Body& body) { return gjk::PointSet<double>(std::get<Points>(body)); }
@@ -66,10 +95,9 @@ TEST_CASE(
   int all = 0;
   for (std::size_t m = 0; m < mistakes().size(); ++m)
     for (const NamedPair& named : smallest()) {
-      if (!shows(named.pair, m)) continue;
-      const ToldRun run = told(named, walkthroughs::model::run(walkthroughs::model::mistaken(
-                                          scene_of(named), walkthroughs::wrong_on_purpose::Mistake(m))));
-      const StepsChecked found = check_steps(run);
+      if (!shows(named, m)) continue;
+      const ToldRun run = told(named, model::run(model::mistaken(scene_of(named), wrong_on_purpose::Mistake(m))));
+      const Looked found = look_at(run);
       INFO("M" << m + 1 << ", " << named.name << ", iteration " << found.iteration << ": " << found.words);
       CHECK((found.iteration > 0 && found.iteration <= static_cast<int>(run.steps.size())));
       CHECK(std::ranges::count(found.mistakes, m) == 1);
@@ -83,11 +111,12 @@ TEST_CASE("Steps: of a mistake that ends with no, and does not tell that step, a
   int all = 0, told_wrong = 0, named = 0;
   for (std::size_t m = 0; m < mistakes().size(); ++m)
     for (const NamedPair& pair : smallest()) {
-      const ToldRun run = told_at_ends(told(pair, walkthroughs::model::run(walkthroughs::model::mistaken(
-                                                      scene_of(pair), walkthroughs::wrong_on_purpose::Mistake(m)))));
-      if (!shows(pair.pair, m) || run.said != Said::separated || judge(pair.pair).truth != Truth::intersecting)
+      const ToldRun run =
+          told_at_ends(told(pair, model::run(model::mistaken(scene_of(pair), wrong_on_purpose::Mistake(m)))));
+      if (!shows(pair, m) || run.said != gjk::Status::separated ||
+          judge::truth_of(points_of(pair.pair).value()) != gjk::Status::intersecting)
         continue;
-      const StepsChecked found = check_steps(run);
+      const Looked found = look_at(run);
       told_wrong += found.iteration > 0;
       named += std::ranges::count(found.mistakes, m) == 1;
       ++all;
@@ -104,11 +133,10 @@ TEST_CASE(
   constexpr std::size_t wrong_side = 0, touching = 2;
   int all = 0;
   for (const NamedPair& pair : smallest()) {
-    if (!shows(pair.pair, touching)) continue;
-    const ToldRun run = told(pair, walkthroughs::model::run(walkthroughs::model::mistaken(
-                                       scene_of(pair), walkthroughs::wrong_on_purpose::Mistake(touching))));
+    if (!shows(pair, touching)) continue;
+    const ToldRun run = told(pair, model::run(model::mistaken(scene_of(pair), wrong_on_purpose::Mistake(touching))));
     for (const ToldRun& each : {run, told_at_ends(run)}) {
-      const StepsChecked found = check_steps(each);
+      const Looked found = look_at(each);
       if (found.iteration == 0) continue;
       INFO(pair.name << ", iteration " << found.iteration << ": " << found.words);
       REQUIRE_FALSE(found.mistakes.empty());
@@ -123,10 +151,9 @@ TEST_CASE(
 TEST_CASE("Steps: normals have the report's names, zero has no sign, and numbers are short", "[steps]") {
   for (std::size_t m = 0; m < mistakes().size(); ++m)
     for (const NamedPair& pair : kept_pairs()) {
-      if (!std::holds_alternative<Points>(pair.pair.a) || !shows(pair.pair, m)) continue;
-      const StepsChecked found =
-          check_steps(told(pair, walkthroughs::model::run(walkthroughs::model::mistaken(
-                                     scene_of(pair), walkthroughs::wrong_on_purpose::Mistake(m)))));
+      if (!std::holds_alternative<Points>(pair.pair.a) || !shows(pair, m)) continue;
+      const Looked found =
+          look_at(told(pair, model::run(model::mistaken(scene_of(pair), wrong_on_purpose::Mistake(m)))));
       INFO(found.words);
       for (const char* const none : {"ACBn", "ADCn", "ABDn", "= -0 ", "= -0:", "-0,", "-0)"})
         CHECK(found.words.find(none) == std::string::npos);
@@ -138,26 +165,27 @@ TEST_CASE("Steps: normals have the report's names, zero has no sign, and numbers
 
 TEST_CASE("Steps: by hand, each kind of wrong step and its words", "[steps]") {
   const NamedPair far{"far", "f", {Points{{0, 0, 0}, {1, 0, 0}}, Points{{5, 1, 0}, {5, -1, 0}}}};
-  const auto words = [&](const std::vector<ToldStep>& steps, Said said) {
-    const StepsChecked found = check_steps({far, steps, said});
+  const auto words = [&](const std::vector<ToldStep>& steps, gjk::Status said) {
+    const Looked found = look_at({far.name, points_of(far.pair).value(), steps, said});
     return std::to_string(found.iteration) + ": " + found.words;
   };
   const ToldStep first{{1, 0, 0}, {{-4, -1, 0}}};
-  CHECK(words({first, {{4, 1, 0}, {{-4, -1, 0}}}}, Said::separated) == "0: ");
-  CHECK_THAT(words({{{1, 0, 0}, {{-5, 1, 0}}}}, Said::undecided),
+  CHECK(words({first, {{4, 1, 0}, {{-4, -1, 0}}}}, gjk::Status::separated) == "0: ");
+  CHECK_THAT(words({{{1, 0, 0}, {{-5, 1, 0}}}}, gjk::Status::undecided),
              kit::contains("1: (-5, 1, 0) is no point of a − b farthest"));
-  CHECK_THAT(words({{{1, 0, 0}, {{9, 9, 0}}}}, Said::undecided),
+  CHECK_THAT(words({{{1, 0, 0}, {{9, 9, 0}}}}, gjk::Status::undecided),
              kit::contains("1: (9, 9, 0) is no difference a − b of a point of each set"));
-  CHECK_THAT(words({first, {{0, 1, 0}, {{-4, -1, 0}}}}, Said::separated),
+  CHECK_THAT(words({first, {{0, 1, 0}, {{-4, -1, 0}}}}, gjk::Status::separated),
              kit::contains("1: from [A], rightly kept, the report searches along (1, 0.25, 0)"));
-  CHECK_THAT(words({first, {{0, 0, 0}, {{-4, -1, 0}}}}, Said::separated), kit::contains("yours along (0, 0, 0)"));
-  CHECK_THAT(words({first, {{4, 1, 0}, {{-4, -1, 0}, {-4, 1, 0}}}, {{1, 0, 0}, {{-4, 1, 0}}}}, Said::separated),
+  CHECK_THAT(words({first, {{0, 0, 0}, {{-4, -1, 0}}}}, gjk::Status::separated),
+             kit::contains("yours along (0, 0, 0)"));
+  CHECK_THAT(words({first, {{4, 1, 0}, {{-4, -1, 0}, {-4, 1, 0}}}, {{1, 0, 0}, {{-4, 1, 0}}}}, gjk::Status::separated),
              kit::contains("2: P·d = -15 < 0: the origin was not crossed"));
-  CHECK_THAT(words({first, {{4, 1, 0}, {{-4, 1, 0}, {-5, 1, 0}}}}, Said::separated),
+  CHECK_THAT(words({first, {{4, 1, 0}, {{-4, 1, 0}, {-5, 1, 0}}}}, gjk::Status::separated),
              kit::contains("2: its simplex has 2 vertices"));
-  CHECK(words({}, Said::separated) == "0: ");
-  CHECK(words({first}, Said::separated) == "0: ");
-  CHECK_THAT(words({{{0, 0, 0}, {{-4, -1, 0}}}}, Said::separated),
+  CHECK(words({}, gjk::Status::separated) == "0: ");
+  CHECK(words({first}, gjk::Status::separated) == "0: ");
+  CHECK_THAT(words({{{0, 0, 0}, {{-4, -1, 0}}}}, gjk::Status::separated),
              kit::contains("1: a search along (0, 0, 0) goes nowhere"));
 }
 
@@ -169,11 +197,12 @@ TEST_CASE(
     const NamedPair apart{
         "p", "f", {Points{{0, 0, 0}, {size, 0, 0}}, Points{{5 * size, size, 0}, {5 * size, -size, 0}}}};
     // M4: P·d < 0 is not looked at
-    return check_steps({apart,
-                        {{{size, 0, 0}, {{-4 * size, -size, 0}}},
-                         {{4 * size, size, 0}, {{-4 * size, -size, 0}, {-4 * size, size, 0}}},
-                         {{size, 0, 0}, {{-4 * size, size, 0}}}},
-                        Said::separated});
+    return look_at({apart.name,
+                    points_of(apart.pair).value(),
+                    {{{size, 0, 0}, {{-4 * size, -size, 0}}},
+                     {{4 * size, size, 0}, {{-4 * size, -size, 0}, {-4 * size, size, 0}}},
+                     {{size, 0, 0}, {{-4 * size, size, 0}}}},
+                    gjk::Status::separated});
   };
   for (const double size : {0x1p-260, 0x1p-250, 0x1p-173, 0x1p-172, 1.0, 0x1p+167, 0x1p+168, 0x1p+250, 0x1p+260}) {
     INFO(size);
@@ -226,7 +255,7 @@ ToldRun told_with_turned_axes(const NamedPair& named, int turns) {
   for (Body* const body : {&other.pair.a, &other.pair.b})
     for (Vec& p : std::get<Points>(*body)) p = turned(p, turns);
   ToldRun run = told_by<gjk::AsIntended>(other);
-  run.named = named;
+  run.pair = points_of(named.pair).value();
   for (ToldStep& step : run.steps) {
     step.direction = turned(step.direction, 3 - turns);
     for (Vec& v : step.simplex) v = turned(v, 3 - turns);
@@ -238,8 +267,7 @@ ToldRun told_with_turned_axes(const NamedPair& named, int turns) {
 std::vector<NamedPair> plain_pairs() {
   std::vector<NamedPair> all = kept_pairs();
   std::erase_if(all, [](const NamedPair& each) {
-    return !std::holds_alternative<Points>(each.pair.a) || each.family.ends_with("100") ||
-           shown_by(each.pair).sound_fails;
+    return !std::holds_alternative<Points>(each.pair.a) || each.family.ends_with("100") || misleads_the_report(each);
   });
   return all;
 }
@@ -249,17 +277,17 @@ TEST_CASE(
     "[steps]") {
   for (const NamedPair& named : plain_pairs()) {
     ToldRun run = told_by<gjk::AsIntended>(named);
-    StepsChecked found = check_steps(run);
+    Looked found = look_at(run);
     INFO(named.name << ": " << found.words);
     CHECK(found.iteration == 0);
-    CHECK(found.other_choices.empty());
-    CHECK(check_steps(told_at_ends(run)).words.empty());
+    CHECK(found.other_choices == 0);
+    CHECK(look_at(told_at_ends(run)).words.empty());
     if (named.family != "smallest") continue;
     for (ToldStep& step : run.steps) {
       step.direction /= step.direction.stableNorm();
       std::ranges::reverse(step.simplex);
     }
-    found = check_steps(run);
+    found = look_at(run);
     INFO(found.words);
     CHECK(found.iteration == 0);
   }
@@ -268,19 +296,20 @@ TEST_CASE(
 namespace {
 
 /// A search that keeps a triangle in an order from which the next faces point inward, and then `kept`.
-StepsChecked checked_behind_an_order(const Points& kept) {
+Looked checked_behind_an_order(const Points& kept) {
   const std::vector<NamedPair> all = kept_pairs();
   const auto pair = std::ranges::find(all, std::string("one-ulp-885"), &NamedPair::name);
   REQUIRE(pair != all.end());
   const Vec D(4, 4, 0x1p-48), C(-13, -11, -7), B(-1, -14, -2);
-  return check_steps({*pair,
-                      {{Vec(1, 0, 0), {Vec(7, -11, -8)}},
-                       {Vec(-7, 11, 8), {Vec(7, -11, -8), D}},
-                       {Vec(-1336.0000000000005, -471.99999999999977, 383.99999999999932), {D, C}},
-                       {Vec(-75.999999999999801, -331.99999999999977, 895.99999999999864), {D, C, B}},
-                       {Vec(-96.000000000000014, 0.99999999999995737, 231), kept},
-                       {Vec(7, 6, -0x1p-48), {kept.back()}}},
-                      {}});
+  return look_at({pair->name,
+                  points_of(pair->pair).value(),
+                  {{Vec(1, 0, 0), {Vec(7, -11, -8)}},
+                   {Vec(-7, 11, 8), {Vec(7, -11, -8), D}},
+                   {Vec(-1336.0000000000005, -471.99999999999977, 383.99999999999932), {D, C}},
+                   {Vec(-75.999999999999801, -331.99999999999977, 895.99999999999864), {D, C, B}},
+                   {Vec(-96.000000000000014, 0.99999999999995737, 231), kept},
+                   {Vec(7, 6, -0x1p-48), {kept.back()}}},
+                  {}});
 }
 
 const Vec newest(-7, -6, 0x1p-48);
@@ -288,14 +317,14 @@ const Vec newest(-7, -6, 0x1p-48);
 }  // namespace
 
 TEST_CASE("Steps: an order is to blame also where the program tests more than the report", "[steps]") {
-  const StepsChecked found = checked_behind_an_order({newest});
+  const Looked found = checked_behind_an_order({newest});
   INFO(found.words);
   CHECK(found.iteration == 4);
   CHECK(found.mistakes == std::vector<std::size_t>{13});
 }
 
 TEST_CASE("Steps: what decides is told in the letters of the simplex that was told", "[steps]") {
-  const StepsChecked found = checked_behind_an_order({Vec(4, 4, 0x1p-48), Vec(-13, -11, -7), newest});
+  const Looked found = checked_behind_an_order({Vec(4, 4, 0x1p-48), Vec(-13, -11, -7), newest});
   INFO(found.words);
   CHECK(found.iteration == 5);
   // AB×AD·AO of the places told, not that of vertices in the order in which the report would have them.
@@ -307,11 +336,11 @@ TEST_CASE("Steps: with its faces tested in another order it is not blamed, and t
   std::size_t other_choices = 0;
   for (const NamedPair& named : plain_pairs()) {
     const ToldRun run = told_by<FacesFromTheLast>(named);
-    if (run.said == Said::undecided) continue;
-    const StepsChecked found = check_steps(run);
+    if (run.said == gjk::Status::undecided) continue;
+    const Looked found = look_at(run);
     INFO(named.name << ": " << found.words);
     CHECK(found.iteration == 0);
-    other_choices += found.other_choices.size();
+    other_choices += found.other_choices;
   }
   CHECK(other_choices >= 5);
 }
@@ -322,10 +351,10 @@ TEST_CASE("Steps: who keeps the feature nearest to the origin is not blamed, on 
   for (const NamedPair& named : plain_pairs()) {
     const ToldRun run = told_by<gjk::Complete<>>(named);
     for (const ToldRun& each : {run, told_at_ends(run)}) {
-      const StepsChecked found = check_steps(each);
+      const Looked found = look_at(each);
       INFO(named.name << ": " << found.words);
       CHECK(found.iteration == 0);
-      otherwise += !found.other_choices.empty();
+      otherwise += found.other_choices > 0;
     }
   }
   CHECK(otherwise > 10);
@@ -337,7 +366,7 @@ TEST_CASE("Steps: of a search that rounds otherwise, as with its axes in another
   for (const NamedPair& named : kept_pairs()) {
     if (!std::holds_alternative<Points>(named.pair.a) || named.family.ends_with("100")) continue;
     for (const ToldRun& run : {told_with_turned_axes(named, 1), told_with_turned_axes(named, 2)}) {
-      const StepsChecked found = check_steps(run);
+      const Looked found = look_at(run);
       INFO(named.name << ", iteration " << found.iteration << ": " << found.words);
       CHECK(found.mistakes.empty());
       if (found.iteration == 0) continue;
@@ -360,9 +389,8 @@ TEST_CASE("Steps: rounding excuses no mistake that shows where numbers vanish, o
   std::set<std::size_t> all;
   for (std::size_t m = 0; m < mistakes().size(); ++m)
     for (const NamedPair& pair : pairs) {
-      const StepsChecked found =
-          check_steps(told(pair, walkthroughs::model::run(walkthroughs::model::mistaken(
-                                     scene_of(pair), walkthroughs::wrong_on_purpose::Mistake(m)))));
+      const Looked found =
+          look_at(told(pair, model::run(model::mistaken(scene_of(pair), wrong_on_purpose::Mistake(m)))));
       if (found.iteration == 0) continue;
       INFO("M" << m + 1 << ", " << pair.name << ", iteration " << found.iteration << ": " << found.words);
       CHECK_FALSE(found.may_be_rounding);
@@ -378,20 +406,20 @@ TEST_CASE("Steps: ways of telling them that are often mixed up are told as that"
   const ToldRun sound =
       told_at_ends(told_by<gjk::AsIntended>(*std::ranges::find(all, std::string("m18-1"), &NamedPair::name)));
   REQUIRE(sound.steps.size() >= 2);
-  REQUIRE(check_steps(sound).iteration == 0);
+  REQUIRE(look_at(sound).iteration == 0);
   ToldRun run = sound;
   for (ToldStep& step : run.steps)
     for (Vec& v : step.simplex) v = -v;
-  CHECK_THAT(check_steps(run).words, kit::contains("but one b − a: steps are told with a − b"));
+  CHECK_THAT(look_at(run).words, kit::contains("but one b − a: steps are told with a − b"));
   run = sound;
   for (ToldStep& step : run.steps) step.direction = -step.direction;
-  CHECK_THAT(check_steps(run).words, kit::contains("every vertex is farthest the opposite way"));
+  CHECK_THAT(look_at(run).words, kit::contains("every vertex is farthest the opposite way"));
   run = sound;
   run.steps[1].direction = -run.steps[1].direction;
-  CHECK_THAT(check_steps(run).words, kit::contains("yours the opposite way, along"));
+  CHECK_THAT(look_at(run).words, kit::contains("yours the opposite way, along"));
   run = sound;
   for (std::size_t i = 0; i + 1 < run.steps.size(); ++i) run.steps[i].direction = run.steps[i + 1].direction;
-  CHECK_THAT(check_steps(run).words,
+  CHECK_THAT(look_at(run).words,
              kit::contains("told is the direction that was searched along, not the one that follows"));
 }
 
@@ -399,9 +427,9 @@ TEST_CASE("Steps: a simplex that was not reduced, and a search that goes round, 
   const std::vector<NamedPair> all = kept_pairs();
   const auto named = [&](const std::string& name) { return *std::ranges::find(all, name, &NamedPair::name); };
   ToldRun run = told_by<gjk::AsIntended>(named("cycles-1"));
-  REQUIRE(run.said == Said::undecided);
-  run.said = Said::separated;
-  CHECK_THAT(check_steps(run).words,
+  REQUIRE(run.said == gjk::Status::undecided);
+  run.said = gjk::Status::separated;
+  CHECK_THAT(look_at(run).words,
              kit::contains("; it goes round: step ") && kit::contains("a limit of iterations may have"));
   run = told_by<gjk::AsIntended>(named("m18-1"));
   const auto smaller = std::ranges::adjacent_find(
@@ -411,7 +439,7 @@ TEST_CASE("Steps: a simplex that was not reduced, and a search that goes round, 
   for (const Vec& v : (smaller + 1)->simplex)
     if (std::ranges::find(unreduced, v) == unreduced.end()) unreduced.push_back(v);
   (smaller + 1)->simplex = unreduced;
-  CHECK_THAT(check_steps(run).words, kit::contains("all of them (told is the simplex after it was reduced)"));
+  CHECK_THAT(look_at(run).words, kit::contains("all of them (told is the simplex after it was reduced)"));
 }
 
 TEST_CASE("Steps: a mistake is named whatever the order of the faces, and why the origin lies inside is told",
@@ -420,7 +448,7 @@ TEST_CASE("Steps: a mistake is named whatever the order of the faces, and why th
   int all = 0, named = 0, inside = 0;
   for (const NamedPair& pair : smallest()) {
     if (!std::holds_alternative<Points>(pair.pair.a)) continue;
-    const StepsChecked found = check_steps(told_by<FacesFromTheLastInward>(pair));
+    const Looked found = look_at(told_by<FacesFromTheLastInward>(pair));
     if (found.iteration == 0) continue;
     ++all;
     // In another order of B, C and D the face may be another.
@@ -439,7 +467,10 @@ TEST_CASE("Steps: a mistake is named whatever the order of the faces, and why th
 TEST_CASE("Steps: a wrong vertex is that of B's wrong side only where all that are told are", "[steps]") {
   const NamedPair pair{"p", "f", {Points{{-1, 0, 0}, {-2, 0, 0}}, Points{{3, 0, 0}, {4, 1, 0}}}};
   const auto found = [&](const Vec& later) {
-    return check_steps({pair, {{{1, 0, 0}, {{-5, -1, 0}}}, {{0, -1, 0}, {{-5, -1, 0}, later}}}, Said::separated});
+    return look_at({pair.name,
+                    points_of(pair.pair).value(),
+                    {{{1, 0, 0}, {{-5, -1, 0}}}, {{0, -1, 0}, {{-5, -1, 0}, later}}},
+                    gjk::Status::separated});
   };
   for (const Vec& later : {Vec(-4, 0, 0), Vec(-6, -1, 0)}) CHECK(found(later).iteration == 1);
   CHECK(found({-4, 0, 0}).mistakes == std::vector<std::size_t>{0});  // along (0, -1, 0) of A and B
@@ -447,4 +478,4 @@ TEST_CASE("Steps: a wrong vertex is that of B's wrong side only where all that a
 }
 
 }  // namespace
-}  // namespace study
+}  // namespace walkthroughs::steps

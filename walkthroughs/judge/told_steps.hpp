@@ -1,0 +1,43 @@
+/// Which step of a program is wrong? It is asked about some pairs once more, and told by JUDGE_STEPS=1 in its environment to write a
+/// line at the end of each iteration, as walkthroughs/steps/told_run.hpp has it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "walkthroughs/judge/causes.hpp"
+#include "walkthroughs/steps/check_steps.hpp"
+
+namespace walkthroughs::judge {
+
+/// A search, and what is found about its steps.
+struct LookedSearch {
+  ToldRun run;
+  StepFindings findings;
+  bool is_answered_rightly = false;
+};
+
+struct StepsLooked {
+  std::size_t searches = 0, steps = 0;  ///< that it has told
+  std::size_t wrong = 0;                ///< searches with a wrong step
+  std::size_t repaired = 0;             ///< of these, those that are answered rightly all the same
+  std::size_t rounding = 0;             ///< searches of which rounding may be the reason, and no line wrong
+  std::size_t otherwise = 0;            ///< steps that the report makes otherwise, and that are as right
+  std::vector<std::size_t> by_mistake;  ///< searches whose first wrong step each of mistakes() makes
+  std::vector<LookedSearch> found;      ///< those with findings: wrong answers first, then those easiest to follow
+  std::string complaint;                ///< about the first line that is meant as a step and is none; else empty
+
+  /// Returns: the one with a wrong step that is shown; null where there is none.
+  const LookedSearch* shown() const;
+};
+
+/// Asks about what failed, the worst, and samples of what it answers wrongly and rightly. Errors: those of run_program().
+StepsLooked look_at_steps(const AskedProgram& program, const Judgement& judgement);
+
+/// Returns: "m14-1, iteration 3: keeps …". Requires: a wrong step.
+std::string first_wrong_step(const LookedSearch& search);
+
+/// Adds why answers are wrong, by the steps: first the mistake that makes most of the first wrong ones; or last, that there are some.
+void add_cause(const StepsLooked& looked, std::vector<Cause>& causes);
+
+}  // namespace walkthroughs::judge
