@@ -17,6 +17,7 @@
 #include "walkthroughs/judge/answer.hpp"
 #include "walkthroughs/pairs/named_pair.hpp"
 #include "walkthroughs/steps/check_steps.hpp"
+#include "walkthroughs/steps/differences.hpp"
 #include "walkthroughs/steps/mistakes.hpp"
 #include "walkthroughs/steps/parting.hpp"
 

@@ -164,9 +164,7 @@ std::string note_on_steps(const StepsLooked& steps) {
   if (!steps.complaint.empty())
     return "note: a line is meant as a step and is none: " + message_line(steps.complaint) + "\n";
   if (steps.searches == 0) return "";
-  const LookedSearch* const shown = steps.shown();
-  std::string text = shown ? "first wrong step: " + first_wrong_step(*shown) + "\n" : "";
-  text +=
+  std::string text =
       "note: it tells its steps, " + count(steps.steps) + " in " + count(steps.searches, "search", "searches") + ": " +
       (steps.wrong == 0 ? "none is wrong" : count(steps.wrong, "search has a wrong one", "searches have wrong ones"));
   if (steps.repaired > 0) text += ", of which " + count(steps.repaired, "is", "are") + " answered rightly all the same";

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "walkthroughs/steps/differences.hpp"
 #include "walkthroughs/steps/mistakes.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"

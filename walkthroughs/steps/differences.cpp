@@ -6,11 +6,24 @@ namespace walkthroughs::steps {
 namespace {
 
 constexpr double same_place = 1e-9;  // of the size
-constexpr double same_rounded = 4e-6;
+constexpr double same_rounded = 4e-6, roundings_of_floats = 0x1p+29;
 constexpr double same_direction = 1e-4;  // 1 - cosine
 constexpr std::size_t most_differences = 1'000'000;
 
 bool are_too_many(const Points& a, const Points& b) { return a.size() * b.size() > most_differences; }
+
+/// Whether each step that adds a vertex to others has it first, and two steps at least do so.
+bool is_newest_first(const std::vector<ToldStep>& steps) {
+  int seen = 0;
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const Vertices &before = steps[i - 1].simplex, &now = steps[i].simplex;
+    const auto is_new = [&](const Vec& v) { return std::ranges::find(before, v) == before.end(); };
+    if (now.size() < 2 || std::ranges::count_if(now, is_new) != 1) continue;
+    if (!is_new(now.front())) return false;
+    ++seen;
+  }
+  return seen >= 2;
+}
 
 }  // namespace
 
@@ -77,6 +90,18 @@ bool Differences::contain(const Vec& v) const { return are_too_many(a_, b_) || i
 bool Differences::is_between(const Points& a, const Points& b, const Vec& v) const {
   return std::ranges::any_of(
       a, [&](const Vec& p) { return std::ranges::any_of(b, [&](const Vec& q) { return are_same(p - q, v); }); });
+}
+
+void bring_to_differences(ToldRun& run) {
+  const Differences differences(run.pair.a, run.pair.b);
+  for (ToldStep& step : run.steps)
+    for (Vec& v : step.simplex) {
+      const Vec exact = differences.nearest(v);
+      if (!differences.are_same(exact, v)) run.roundings = roundings_of_floats;
+      v = exact;
+    }
+  if (!is_newest_first(run.steps)) return;
+  for (ToldStep& step : run.steps) std::ranges::reverse(step.simplex);
 }
 
 }  // namespace walkthroughs::steps

@@ -40,4 +40,7 @@ class Differences {
   double size_;
 };
 
+/// Every vertex becomes the a - b that it is a rounding of, and the newest the last, where it is always first.
+void bring_to_differences(ToldRun& run);
+
 }  // namespace walkthroughs::steps

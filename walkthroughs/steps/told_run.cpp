@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "walkthroughs/pairs/named_pair.hpp"
-#include "walkthroughs/steps/differences.hpp"
 #include "walkthroughs/text/document.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
@@ -15,8 +14,6 @@ namespace walkthroughs::steps {
 namespace {
 
 using Kind = Document::Kind;
-
-constexpr double roundings_of_floats = 0x1p+29;
 
 /// As many languages write numbers that are none, and JSON has no word for them but null.
 std::string with_nulls(std::string_view line) {
@@ -66,19 +63,6 @@ Vec direction_in(const Value& value) {
   return most > scene_limits::magnitude ? Vec(d * std::ldexp(1.0, -std::ilogb(most))) : d;
 }
 
-/// Whether each step that adds a vertex to others has it first, and two steps at least do so.
-bool is_newest_first(const std::vector<ToldStep>& steps) {
-  int seen = 0;
-  for (std::size_t i = 1; i < steps.size(); ++i) {
-    const Vertices &before = steps[i - 1].simplex, &now = steps[i].simplex;
-    const auto is_new = [&](const Vec& v) { return std::ranges::find(before, v) == before.end(); };
-    if (now.size() < 2 || std::ranges::count_if(now, is_new) != 1) continue;
-    if (!is_new(now.front())) return false;
-    ++seen;
-  }
-  return seen >= 2;
-}
-
 }  // namespace
 
 bool ToldStep::is_of_numbers() const {
@@ -102,18 +86,6 @@ ToldStep read_step(std::string_view line) {
   for (const Value& point : points) step.simplex.push_back(point_in(point));
   require_good(document);
   return step;
-}
-
-void bring_to_differences(ToldRun& run) {
-  const Differences differences(run.pair.a, run.pair.b);
-  for (ToldStep& step : run.steps)
-    for (Vec& v : step.simplex) {
-      const Vec exact = differences.nearest(v);
-      if (!differences.are_same(exact, v)) run.roundings = roundings_of_floats;
-      v = exact;
-    }
-  if (!is_newest_first(run.steps)) return;
-  for (ToldStep& step : run.steps) std::ranges::reverse(step.simplex);
 }
 
 }  // namespace walkthroughs::steps

@@ -45,7 +45,4 @@ bool is_meant_as_step(std::string_view line);
 /// Errors: std::invalid_argument, which says what is wrong with the line.
 ToldStep read_step(std::string_view line);
 
-/// Every vertex becomes the a - b that it is a rounding of, and the newest the last, where it is always first.
-void bring_to_differences(ToldRun& run);
-
 }  // namespace walkthroughs::steps

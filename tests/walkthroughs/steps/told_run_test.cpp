@@ -1,6 +1,7 @@
 #include "walkthroughs/steps/told_run.hpp"
 
 #include "tests/kit/catch.hpp"
+#include "walkthroughs/steps/differences.hpp"
 
 namespace walkthroughs::steps {
 namespace {
