@@ -96,6 +96,7 @@ void bring_to_differences(ToldRun& run) {
   const Differences differences(run.pair.a, run.pair.b);
   for (ToldStep& step : run.steps)
     for (Vec& v : step.simplex) {
+      if (!v.allFinite()) continue;
       const Vec exact = differences.nearest(v);
       if (!differences.are_same(exact, v)) run.roundings = roundings_of_floats;
       v = exact;
