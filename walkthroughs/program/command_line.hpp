@@ -43,10 +43,6 @@ void add_backend_option(CLI::App& command, std::optional<std::string>& name);
 /// Errors: UsageError, with the names that there are.
 render::Backend chosen_backend(const std::optional<std::string>& name);
 
-/// Errors: UsageError where what is to be written has no name, that of the next option, or "-". `example`: what to
-/// name, and how.
-void expect_named(const std::string& option, const std::string& name, const std::string& example);
-
 /// Options of render that may have a word behind them, and which; alone they mean the first: --page is --page=beside.
 inline const std::map<std::string, std::vector<std::string>> words_of_flags{
     {"--sheet", {"one", "a4", "letter", "a4-across", "letter-across"}}, {"--page", {"beside", "single"}}};
