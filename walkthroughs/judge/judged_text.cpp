@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -36,7 +37,7 @@ std::string word(Verdict verdict) { return std::string(verdict_words[static_cast
 
 // -- The first screen -------------------------------------------------------------------------------------------------
 
-std::string verdict_line(const Report& report) {
+std::string verdict(const Report& report) {
   const Judgement& found = report.judgement;
   const Tally& all = found.all;
   const std::string pairs = count(all.pairs, "pair", "pairs");
@@ -56,7 +57,7 @@ std::string verdict_line(const Report& report) {
     line += "; " + count(all.of(Verdict::within_tolerance)) + " more within the tolerance";
   if (found.passed_over > 0)
     line += "; " + count(found.passed_over) + " were not asked, as floats have no room for them";
-  return line + "\n";
+  return line;
 }
 
 std::string how_far_in_words(const Judged& each) {
@@ -67,6 +68,12 @@ std::string how_far_in_words(const Judged& each) {
          (meet ? " of their size deep in each other" : " of their size");
 }
 
+/// What came of a pair that is wrong, or has no answer.
+std::string what_came_of(const Judged& each) {
+  if (!is_wrong(each.verdict)) return each.detail.empty() ? word(each.verdict) : message_line(each.detail);
+  return how_far_in_words(each) + ", and it says " + (each.asked.meet() ? "no" : "yes");
+}
+
 /// A pair without an answer says more than a wrong one.
 const Judged* shown_pair(const Judgement& found) {
   return !found.failed.empty() ? &found.failed.front() : !found.worst.empty() ? &found.worst.front() : nullptr;
@@ -75,12 +82,8 @@ const Judged* shown_pair(const Judgement& found) {
 std::string worst_line(const Report& report) {
   const Judged* const shown = shown_pair(report.judgement);
   if (!shown) return "";
-  const std::string name = message_line(shown->asked.name);
-  if (!is_wrong(shown->verdict))
-    return "first without an answer: " + name + ": " +
-           (shown->detail.empty() ? word(shown->verdict) : message_line(shown->detail)) + "\n";
-  return "worst: " + name + ": " + how_far_in_words(*shown) + ", and it says " + (shown->asked.meet() ? "no" : "yes") +
-         "\n";
+  return (is_wrong(shown->verdict) ? "worst: " : "first without an answer: ") + message_line(shown->asked.name) + ": " +
+         what_came_of(*shown) + "\n";
 }
 
 std::string command(const Report& report, const std::string& more) {
@@ -95,23 +98,29 @@ std::string scene_line(const Report& report) {
          (scene.size() <= longest_scene ? scene
           : can_be_drawn(shown->asked.pair)
               ? report.saved.empty() ? "--save wrong writes it to wrong/1.json" : printable(report.saved) + "/1.json"
-              : "beyond what is drawn: its numbers are too large") +
+              : not_drawn) +
          "\n";
 }
 
 std::string cause_line(const Report& report) {
   if (report.judgement.all.wrong() == 0) return "";
-  if (report.causes.empty()) return "probable cause: none found\n";
+  if (report.causes.empty()) return "probable cause: " + std::string(no_cause) + "\n";
   const Cause& cause = report.causes.front();
   return "probable cause: " + cause.name + " (" + cause.evidence + ")\n";
+}
+
+/// Returns: nothing where nothing follows from the cause.
+std::string what_to_do(const Report& report, const Cause& cause) {
+  if (!cause.mistake.empty()) return "gjkstep render mistakes/" + cause.mistake;
+  return cause.option.empty() ? "" : command(report, cause.option);
 }
 
 std::string next_line(const Report& report) {
   const Judgement& found = report.judgement;
   if (found.is_good()) return report.options.empty() ? "next: " + command(report, "--count 1000") + "\n" : "";
   const Cause cause = report.causes.empty() ? Cause{} : report.causes.front();
-  if (!cause.mistake.empty()) return "next: gjkstep render mistakes/" + cause.mistake + "\n";
-  if (!cause.option.empty()) return "next: " + command(report, cause.option) + "\n";
+  if (const std::string told = what_to_do(report, cause); !told.empty()) return "next: " + told + "\n";
+  if (!report.shown.empty()) return "";  // but to open it
   const Judged* const shown = shown_pair(found);
   if (!shown || !can_be_drawn(shown->asked.pair)) return "next: " + command(report, "--table") + "\n";
   if (!report.saved.empty()) return "next: gjkstep render " + shell_word(report.saved + "/1.json") + "\n";
@@ -127,11 +136,11 @@ std::string last_line(const std::string& text) {
 }
 
 /// What is odd, whether answers are right or not.
-std::string behaviour(const Judgement& found) {
+std::vector<std::string> behaviour(const Judgement& found) {
   const Replies& replies = found.replies;
-  std::string text;
+  std::vector<std::string> notes;
   const auto say = [&](bool is_so, const std::string& what) {
-    if (is_so) text += "note: " + what + "\n";
+    if (is_so) notes.push_back(what);
   };
   say(replies.crashes_in_company > 0, "it crashed " + count(replies.crashes_in_company, "time", "times") + " (" +
                                           message_line(replies.first_crash) + ") after " +
@@ -150,6 +159,12 @@ std::string behaviour(const Judgement& found) {
           ", the first " + in_quotes(replies.first_other) + "; an answer is yes, no, undecided or distance 0.25");
   const std::string said = last_line(replies.said);
   say(!said.empty(), "it wrote to standard error: " + message_line(said));
+  return notes;
+}
+
+std::string note_lines(const Judgement& found) {
+  std::string text;
+  for (const std::string& note : behaviour(found)) text += "note: " + note + "\n";
   return text;
 }
 
@@ -167,6 +182,46 @@ std::string accepted_line(const Report& report) {
   if (known < faults.size())
     line += "; " + count(faults.size() - known) + " of the file are mended: remove it to accept anew";
   return line + "\n";
+}
+
+// -- The pairs --------------------------------------------------------------------------------------------------------
+
+/// `number`: of the next file.
+ToldPair told_pair(const Judged& each, std::size_t number) {
+  ToldPair pair{message_line(each.asked.name), what_came_of(each)};
+  if (!can_be_drawn(each.asked.pair)) return pair;
+  const std::string what =
+      is_wrong(each.verdict) ? word(each.verdict) + ", " + how_far_in_words(each) : word(each.verdict);
+  const nlohmann::json title = (pair.name + ": " + what).substr(0, scene_limits::title);
+  pair.file = std::to_string(number) + ".json";
+  pair.scene = "{\"title\":" + title.dump() + "," + bodies_in_line({each.asked.pair.a, each.asked.pair.b}) + "}\n";
+  return pair;
+}
+
+std::vector<ToldPair> told_pairs(const Judgement& judgement) {
+  std::vector<ToldPair> pairs;
+  std::size_t files = 0;
+  for (const std::vector<Judged>* const list : {&judgement.failed, &judgement.worst})
+    for (const Judged& each : *list) {
+      pairs.push_back(told_pair(each, files + 1));
+      files += !pairs.back().file.empty();
+    }
+  return pairs;
+}
+
+// -- The table --------------------------------------------------------------------------------------------------------
+
+const Row columns{"family", "pairs", "wrong yes", "wrong no", "undecided", "no answer", "how far at most"};
+
+Row row_of(const Tally& tally) {
+  const std::uint64_t none = tally.faults() - tally.wrong() - tally.false_evidence;
+  return {message_line(tally.family),
+          count(tally.pairs),
+          count(tally.of(Verdict::wrong_yes)),
+          count(tally.of(Verdict::wrong_no)),
+          count(tally.of(Verdict::undecided)),
+          count(none),
+          tally.wrong() > 0 ? size_text(tally.worst) : ""};
 }
 
 // -- JSON -------------------------------------------------------------------------------------------------------------
@@ -235,23 +290,20 @@ std::optional<std::string> why_not_judged(const Judgement& judgement) {
 }
 
 std::string first_screen(const Report& report) {
-  return verdict_line(report) + worst_line(report) + scene_line(report) + cause_line(report) + next_line(report) +
-         accepted_line(report) + behaviour(report.judgement);
+  return verdict(report) + "\n" + worst_line(report) + scene_line(report) + cause_line(report) + next_line(report) +
+         accepted_line(report) + note_lines(report.judgement);
 }
 
 std::string table(const Report& report) {
-  std::string text =
-      "| family | pairs | wrong yes | wrong no | undecided | no answer | how far at most "
-      "|\n|---|---|---|---|---|---|---|\n";
-  std::vector<Tally> rows = report.judgement.families;
-  rows.push_back(report.judgement.all);
-  for (const Tally& row : rows) {
-    const std::uint64_t none = row.faults() - row.wrong() - row.false_evidence;
-    std::string name = message_line(row.family);
-    std::ranges::replace(name, '|', '/');
-    text += "| " + name + " | " + count(row.pairs) + " | " + count(row.of(Verdict::wrong_yes)) + " | " +
-            count(row.of(Verdict::wrong_no)) + " | " + count(row.of(Verdict::undecided)) + " | " + count(none) + " | " +
-            (row.wrong() > 0 ? size_text(row.worst) : "") + " |\n";
+  std::vector<Row> rows{columns};
+  for (const Tally& each : report.judgement.families) rows.push_back(row_of(each));
+  rows.push_back(row_of(report.judgement.all));
+  std::string text;
+  for (Row& row : rows) {
+    std::ranges::replace(row[0], '|', '/');
+    for (const std::string& cell : row) text += "| " + cell + " ";
+    text += "|\n";
+    if (&row == &rows.front()) text += "|---|---|---|---|---|---|---|\n";
   }
   return text;
 }
@@ -268,24 +320,29 @@ std::string json(const Report& report) {
               {"right", found.is_good()},      {"all", json_of(found.all)},
               {"families", families},          {"causes", causes},
               {"worst", list_of(found.worst)}, {"failed", list_of(found.failed)},
-              {"notes", behaviour(found)}};
+              {"notes", note_lines(found)}};
   if (report.accepted) all["new"] = report.accepted->news(found);
   return all.dump(1) + "\n";
 }
 
 std::vector<SavedScene> scenes_of_worst(const Judgement& judgement) {
   std::vector<SavedScene> files;
-  for (const std::vector<Judged>* const list : {&judgement.failed, &judgement.worst})
-    for (const Judged& each : *list) {
-      if (!can_be_drawn(each.asked.pair)) continue;
-      const std::string what =
-          is_wrong(each.verdict) ? word(each.verdict) + ", " + how_far_in_words(each) : word(each.verdict);
-      const Json name = (message_line(each.asked.name) + ": " + what).substr(0, scene_limits::title);
-      files.push_back(
-          {std::to_string(files.size() + 1) + ".json",
-           "{\"title\":" + name.dump() + "," + bodies_in_line({each.asked.pair.a, each.asked.pair.b}) + "}\n"});
-    }
+  for (const ToldPair& each : told_pairs(judgement))
+    if (!each.file.empty()) files.push_back({each.file, each.scene});
   return files;
+}
+
+Told told(const Report& report) {
+  Told all{.verdict = verdict(report), .accepted = accepted_line(report), .columns = columns};
+  for (const Cause& each : report.causes)
+    all.causes.push_back({each.name, each.evidence, std::lround(100 * each.agreement), what_to_do(report, each)});
+  all.pairs = told_pairs(report.judgement);
+  for (const Tally& each : report.judgement.families)
+    (each.faults() > 0 ? all.with_faults : all.without_faults).push_back(row_of(each));
+  all.all = row_of(report.judgement.all);
+  all.notes = behaviour(report.judgement);
+  all.command = command(report, "--report " + shell_word(report.shown));
+  return all;
 }
 
 }  // namespace walkthroughs::judge

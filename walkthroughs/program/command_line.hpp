@@ -21,13 +21,13 @@ struct Command {
 };
 
 Command add_list_command(CLI::App& app);
-/// `gl` is what --gl says, before the command or after it. It must live as long as the command.
+/// `gl`, here and below, is what --gl says, before the command or after it. It must live as long as the command.
 Command add_render_command(CLI::App& app, std::optional<std::string>& gl);
 Command add_trace_command(CLI::App& app);
 Command add_scene_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_query_command(CLI::App& app);
-Command add_judge_command(CLI::App& app);
+Command add_judge_command(CLI::App& app, std::optional<std::string>& gl);
 
 /// Errors: UsageError, with the name that was probably meant.
 const Walkthrough& walkthrough_named(const std::string& name);

@@ -41,12 +41,14 @@ render::Size parse_size(const std::string& text) {
 class Rendering {
  public:
   /// Errors: UsageError.
-  Rendering(const RenderOptions& options, const std::vector<Chosen>& chosen)
-      : options_(options), output_(checked_output()), folder_(output_.folder), chosen_(chosen) {}
+  Rendering(const RenderOptions& options, const std::vector<Chosen>& chosen, std::unique_ptr<Sink> last = {})
+      : options_(options), output_(checked_output()), folder_(output_.folder), chosen_(chosen) {
+    make_sinks();
+    if (last) sinks_.push_back(std::move(last));
+  }
 
   void run() {
     expect_chosen_frames();
-    make_sinks();
     const Places places = all_places();
     places.expect_apart();
     places.expect_no_loss(others(), options_that_write());
@@ -74,7 +76,23 @@ class Rendering {
       std::cout << printable(*options_.zip) << "  all of this, packed\n";
     }
     places.tidy_manifests();
-    if (has_pages()) std::cout << "open " << printable((folder_ / page_file).string()) << '\n';
+    if (has_pages() && !options_.is_quiet) std::cout << "open " << printable((folder_ / page_file).string()) << '\n';
+  }
+
+  void add_written(Places& places) const {
+    for (const Chosen& each : chosen_) {
+      const Walkthrough& w = each.walkthrough;
+      places.write_into(folder_ / w.name, files_of(w), "the pictures of " + w.name);
+      if (has_pages())
+        places.write_into(folder_ / w.name / stage_folder, files_of(w), "what becomes the page of " + w.name);
+      if (options_.movie) places.reserve(folder_ / w.name / ("animation." + *options_.movie), "the film of " + w.name);
+    }
+    if (options_.rendered_by) places.write(folder_ / render::rendered_by_file, "what --rendered-by notes");
+    if (options_.captions) places.write(*options_.captions, "what --captions writes");
+    if (options_.zip) places.write(*options_.zip, "what --zip writes");
+    if (has_pages())
+      for (const std::string& name : index_file_names(has_files_beside()))
+        places.write(folder_ / name, "what all walkthroughs have in common");
   }
 
  private:
@@ -112,9 +130,10 @@ class Rendering {
     if (!has_pages()) return;
     std::vector<PageOrigin> origins;
     for (const Chosen& each : chosen_)
-      origins.push_back({each.walkthrough.name, each.walkthrough.title, each.option, each.file, each.scene});
-    sinks_.push_back(std::make_unique<Pages>(
-        PagesWanted{has_files_beside(), options_.out, options_of_pictures(), is_usual(), std::move(origins)}));
+      origins.push_back(
+          {each.walkthrough.name, each.walkthrough.title, each.option, each.file, each.scene, each.made_by});
+    sinks_.push_back(std::make_unique<Pages>(PagesWanted{has_files_beside(), options_.out, options_of_pictures(),
+                                                         is_usual(), options_.report, std::move(origins)}));
   }
 
   Output checked_output() const {
@@ -175,21 +194,10 @@ class Rendering {
 
   Places all_places() const {
     Places places;
-    for (const Chosen& each : chosen_) {
-      const Walkthrough& w = each.walkthrough;
+    for (const Chosen& each : chosen_)
       if (!each.file.empty())
         places.read(each.file, (each.option.empty() ? "the scene file " : "the trace ") + each.file.string());
-      places.write_into(folder_ / w.name, files_of(w), "the pictures of " + w.name);
-      if (has_pages())
-        places.write_into(folder_ / w.name / stage_folder, files_of(w), "what becomes the page of " + w.name);
-      if (options_.movie) places.reserve(folder_ / w.name / ("animation." + *options_.movie), "the film of " + w.name);
-    }
-    if (options_.rendered_by) places.write(folder_ / render::rendered_by_file, "what --rendered-by notes");
-    if (options_.captions) places.write(*options_.captions, "what --captions writes");
-    if (options_.zip) places.write(*options_.zip, "what --zip writes");
-    if (has_pages())
-      for (const std::string& name : index_file_names(has_files_beside()))
-        places.write(folder_ / name, "what all walkthroughs have in common");
+    add_written(places);
     places.write_standard_output();
     return places;
   }
@@ -230,6 +238,7 @@ class Rendering {
   }
 
   Story tell_all(const Chosen& chosen) const {
+    if (chosen.told) return *chosen.told;
     const Detail shown = options_.detail == "iteration" ? Detail::iteration : Detail::decision;
     return chosen.traces ? tell(chosen.walkthrough, *chosen.traces, shown) : tell(chosen.walkthrough, shown);
   }
@@ -254,9 +263,7 @@ class Rendering {
     progress(w.name + ": looking for hulls and cameras");
     const auto story = std::make_shared<const StagedStory>(std::move(told));
     progress(w.name + ": drawing");
-    for (const std::string& sentence : story->left_out()) note(w.name + ": " + sentence);
-    note_truth(*story);
-    note_what_stays(w);
+    if (!options_.is_quiet) note_all(*story);
     if (options_.captions) stories_.push_back(story);
     const Output output = output_of(chosen);
     for (const std::unique_ptr<Sink>& sink : sinks_) sink->add(story, output, renderer);
@@ -264,6 +271,12 @@ class Rendering {
       renderer.then([folder = folder_ / w.name, files = files_of(w), others = others()] {
         publish(folder, files, page_file, others);
       });
+  }
+
+  void note_all(const StagedStory& story) const {
+    for (const std::string& sentence : story.left_out()) note(story.walkthrough.name + ": " + sentence);
+    note_truth(story);
+    note_what_stays(story.walkthrough);
   }
 
   /// Where a search answers otherwise than the truth, be its last frame among those drawn or not.
@@ -298,13 +311,13 @@ class Rendering {
     const std::filesystem::path file = is_staged ? written.parent_path().parent_path() / written.filename() : written;
     const std::string name = printable(file.string());
     if (!frame) {
-      std::cout << name << "  " << story.walkthrough.title << std::endl;
+      if (!options_.is_quiet) std::cout << name << "  " << story.walkthrough.title << std::endl;
       return;
     }
     if (options_.captions && file.extension() == ".png") frames_.push_back({file.string(), story, *frame});
     const std::size_t count = story.frames.size();
     progress("");
-    std::cout << name << "  " << plain(story.frames[*frame].caption) << std::endl;
+    if (!options_.is_quiet) std::cout << name << "  " << plain(story.frames[*frame].caption) << std::endl;
     if (*frame + 1 < count)
       progress(story.walkthrough.name + ": frame " + std::to_string(*frame + 1) + " of " + std::to_string(count));
   }
@@ -361,6 +374,12 @@ void progress(const std::string& what) {
 
 void expect_usable(const RenderOptions& options) { Rendering(options, {}); }
 
-void render_all(const RenderOptions& options, const std::vector<Chosen>& chosen) { Rendering(options, chosen).run(); }
+void add_written(Places& places, const RenderOptions& options, const std::vector<Chosen>& chosen) {
+  Rendering(options, chosen).add_written(places);
+}
+
+void render_all(const RenderOptions& options, const std::vector<Chosen>& chosen, std::unique_ptr<Sink> last) {
+  Rendering(options, chosen, std::move(last)).run();
+}
 
 }  // namespace walkthroughs::program
