@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t block = 1024;               // cases in memory at once
 constexpr std::size_t most_samples_of_kind = 30;  // of each family, right or wrong
-constexpr std::size_t most_failed = 10;
 
 Verdict verdict_on(Reply::Kind kind) {
   switch (kind) {

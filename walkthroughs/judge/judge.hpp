@@ -74,6 +74,8 @@ struct Tally {
   void add(const Judged& judged);
 };
 
+inline constexpr std::size_t most_failed = 10;  ///< pairs without an answer that are kept
+
 struct Judgement {
   Tally all;
   std::vector<Tally> families;  ///< in the order in which they come

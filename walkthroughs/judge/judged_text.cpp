@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -37,7 +38,7 @@ std::string word(Verdict verdict) { return std::string(verdict_words[static_cast
 
 // -- The first screen -------------------------------------------------------------------------------------------------
 
-std::string verdict_line(const Report& report) {
+std::string verdict(const Report& report) {
   const Judgement& found = report.judgement;
   const Tally& all = found.all;
   const std::string pairs = count(all.pairs, "pair", "pairs");
@@ -57,7 +58,7 @@ std::string verdict_line(const Report& report) {
     line += "; " + count(all.of(Verdict::within_tolerance)) + " more within the tolerance";
   if (found.passed_over > 0)
     line += "; " + count(found.passed_over) + " were not asked, as floats have no room for them";
-  return line + "\n";
+  return line;
 }
 
 std::string how_far_in_words(const Judged& each) {
@@ -68,6 +69,12 @@ std::string how_far_in_words(const Judged& each) {
          (meet ? " of their size deep in each other" : " of their size");
 }
 
+/// What came of a pair that is wrong, or has no answer.
+std::string what_came_of(const Judged& each) {
+  if (!is_wrong(each.verdict)) return each.detail.empty() ? word(each.verdict) : message_line(each.detail);
+  return how_far_in_words(each) + ", and it says " + (each.asked.meet() ? "no" : "yes");
+}
+
 /// A pair without an answer says more than a wrong one.
 const Judged* shown_pair(const Judgement& found) {
   return !found.failed.empty() ? &found.failed.front() : !found.worst.empty() ? &found.worst.front() : nullptr;
@@ -76,12 +83,8 @@ const Judged* shown_pair(const Judgement& found) {
 std::string worst_line(const Report& report) {
   const Judged* const shown = shown_pair(report.judgement);
   if (!shown) return "";
-  const std::string name = message_line(shown->asked.name);
-  if (!is_wrong(shown->verdict))
-    return "first without an answer: " + name + ": " +
-           (shown->detail.empty() ? word(shown->verdict) : message_line(shown->detail)) + "\n";
-  return "worst: " + name + ": " + how_far_in_words(*shown) + ", and it says " + (shown->asked.meet() ? "no" : "yes") +
-         "\n";
+  return (is_wrong(shown->verdict) ? "worst: " : "first without an answer: ") + message_line(shown->asked.name) + ": " +
+         what_came_of(*shown) + "\n";
 }
 
 std::string command(const Report& report, const std::string& more) {
@@ -96,23 +99,29 @@ std::string scene_line(const Report& report) {
          (scene.size() <= longest_scene ? scene
           : can_be_drawn(shown->asked.pair)
               ? report.saved.empty() ? "--save wrong writes it to wrong/1.json" : printable(report.saved) + "/1.json"
-              : "beyond what is drawn: its numbers are too large") +
+              : not_drawn) +
          "\n";
 }
 
 std::string cause_line(const Report& report) {
   if (report.judgement.all.wrong() == 0) return "";
-  if (report.causes.empty()) return "probable cause: none found\n";
+  if (report.causes.empty()) return "probable cause: " + std::string(no_cause) + "\n";
   const Cause& cause = report.causes.front();
   return "probable cause: " + cause.name + " (" + cause.evidence + ")\n";
+}
+
+/// Returns: nothing where nothing follows from the cause.
+std::string what_to_do(const Report& report, const Cause& cause) {
+  if (!cause.mistake.empty()) return "gjkstep render mistakes/" + cause.mistake;
+  return cause.option.empty() ? "" : command(report, cause.option);
 }
 
 std::string next_line(const Report& report) {
   const Judgement& found = report.judgement;
   if (found.is_good()) return report.options.empty() ? "next: " + command(report, "--count 1000") + "\n" : "";
   const Cause cause = report.causes.empty() ? Cause{} : report.causes.front();
-  if (!cause.mistake.empty()) return "next: gjkstep render mistakes/" + cause.mistake + "\n";
-  if (!cause.option.empty()) return "next: " + command(report, cause.option) + "\n";
+  if (const std::string told = what_to_do(report, cause); !told.empty()) return "next: " + told + "\n";
+  if (!report.shown.empty()) return "";  // but to open it
   const Judged* const shown = shown_pair(found);
   if (!shown || !can_be_drawn(shown->asked.pair)) return "next: " + command(report, "--table") + "\n";
   if (!report.saved.empty()) return "next: gjkstep render " + shell_word(report.saved + "/1.json") + "\n";
@@ -127,12 +136,32 @@ std::string last_line(const std::string& text) {
   return said.substr(feed == std::string::npos ? 0 : feed + 1);
 }
 
+/// What its steps are like; nothing where it tells none.
+std::string note_on_steps(const StepsLooked& steps) {
+  if (!steps.complaint.empty()) return "a line is meant as a step and is none: " + message_line(steps.complaint);
+  if (steps.searches == 0) return "";
+  std::string text =
+      "it tells its steps, " + count(steps.steps) + " in " + count(steps.searches, "search", "searches") + ": " +
+      (steps.wrong == 0 ? "none is wrong" : count(steps.wrong, "search has a wrong one", "searches have wrong ones"));
+  if (steps.repaired > 0) text += ", of which " + count(steps.repaired, "is", "are") + " answered rightly all the same";
+  if (steps.rounding > 0) text += "; in " + count(steps.rounding) + " rounding may be why the report makes another";
+  if (steps.otherwise > 0) text += "; " + count(steps.otherwise) + " others are as right as the report's";
+  return text;
+}
+
+/// Of those that it tells.
+std::string first_wrong_step_line(const StepsLooked& steps) {
+  const LookedSearch* const shown = steps.shown();
+  return shown ? "first wrong step: " + words_of_first_wrong(*shown) + "\n" : "";
+}
+
 /// What is odd, whether answers are right or not.
-std::string behaviour(const Judgement& found) {
+std::vector<std::string> behaviour(const Report& report) {
+  const Judgement& found = report.judgement;
   const Replies& replies = found.replies;
-  std::string text;
+  std::vector<std::string> notes;
   const auto say = [&](bool is_so, const std::string& what) {
-    if (is_so) text += "note: " + what + "\n";
+    if (is_so) notes.push_back(what);
   };
   say(replies.crashes_in_company > 0, "it crashed " + count(replies.crashes_in_company, "time", "times") + " (" +
                                           message_line(replies.first_crash) + ") after " +
@@ -151,26 +180,15 @@ std::string behaviour(const Judgement& found) {
           ", the first " + in_quotes(replies.first_other) + "; an answer is yes, no, undecided or distance 0.25");
   const std::string said = last_line(replies.said);
   say(!said.empty(), "it wrote to standard error: " + message_line(said));
+  const std::string of_steps = note_on_steps(report.steps);
+  say(!of_steps.empty(), of_steps);
+  return notes;
+}
+
+std::string note_lines(const Report& report) {
+  std::string text;
+  for (const std::string& note : behaviour(report)) text += "note: " + note + "\n";
   return text;
-}
-
-/// Of those that it tells.
-std::string first_wrong_step_line(const StepsLooked& steps) {
-  const LookedSearch* const shown = steps.shown();
-  return shown ? "first wrong step: " + first_wrong_step(*shown) + "\n" : "";
-}
-
-std::string note_on_steps(const StepsLooked& steps) {
-  if (!steps.complaint.empty())
-    return "note: a line is meant as a step and is none: " + message_line(steps.complaint) + "\n";
-  if (steps.searches == 0) return "";
-  std::string text =
-      "note: it tells its steps, " + count(steps.steps) + " in " + count(steps.searches, "search", "searches") + ": " +
-      (steps.wrong == 0 ? "none is wrong" : count(steps.wrong, "search has a wrong one", "searches have wrong ones"));
-  if (steps.repaired > 0) text += ", of which " + count(steps.repaired, "is", "are") + " answered rightly all the same";
-  if (steps.rounding > 0) text += "; in " + count(steps.rounding) + " rounding may be why the report makes another";
-  if (steps.otherwise > 0) text += "; " + count(steps.otherwise) + " others are as right as the report's";
-  return text + "\n";
 }
 
 /// What is known of it already.
@@ -187,6 +205,46 @@ std::string accepted_line(const Report& report) {
   if (known < faults.size())
     line += "; " + count(faults.size() - known) + " of the file are mended: remove it to accept anew";
   return line + "\n";
+}
+
+// -- The pairs --------------------------------------------------------------------------------------------------------
+
+/// `number`: of the next file.
+ToldPair told_pair(const Judged& each, std::size_t number) {
+  ToldPair pair{message_line(each.asked.name), what_came_of(each)};
+  if (!can_be_drawn(each.asked.pair)) return pair;
+  const std::string what =
+      is_wrong(each.verdict) ? word(each.verdict) + ", " + how_far_in_words(each) : word(each.verdict);
+  const nlohmann::json title = (pair.name + ": " + what).substr(0, scene_limits::title);
+  pair.file = std::to_string(number) + ".json";
+  pair.scene = "{\"title\":" + title.dump() + "," + bodies_in_line({each.asked.pair.a, each.asked.pair.b}) + "}\n";
+  return pair;
+}
+
+std::vector<ToldPair> told_pairs(const Judgement& judgement) {
+  std::vector<ToldPair> pairs;
+  std::size_t files = 0;
+  for (const std::vector<Judged>* const list : {&judgement.failed, &judgement.worst})
+    for (const Judged& each : *list) {
+      pairs.push_back(told_pair(each, files + 1));
+      files += !pairs.back().file.empty();
+    }
+  return pairs;
+}
+
+// -- The table --------------------------------------------------------------------------------------------------------
+
+const Row columns{"family", "pairs", "wrong yes", "wrong no", "undecided", "no answer", "how far at most"};
+
+Row row_of(const Tally& tally) {
+  const std::uint64_t none = tally.faults() - tally.wrong() - tally.false_evidence;
+  return {message_line(tally.family),
+          count(tally.pairs),
+          count(tally.of(Verdict::wrong_yes)),
+          count(tally.of(Verdict::wrong_no)),
+          count(tally.of(Verdict::undecided)),
+          count(none),
+          tally.wrong() > 0 ? size_text(tally.worst) : ""};
 }
 
 // -- JSON -------------------------------------------------------------------------------------------------------------
@@ -270,24 +328,20 @@ std::optional<std::string> why_not_judged(const Judgement& judgement) {
 }
 
 std::string first_screen(const Report& report) {
-  return verdict_line(report) + worst_line(report) + scene_line(report) + cause_line(report) + next_line(report) +
-         accepted_line(report) + behaviour(report.judgement) + first_wrong_step_line(report.steps) +
-         note_on_steps(report.steps);
+  return verdict(report) + "\n" + worst_line(report) + scene_line(report) + cause_line(report) + next_line(report) +
+         accepted_line(report) + first_wrong_step_line(report.steps) + note_lines(report);
 }
 
 std::string table(const Report& report) {
-  std::string text =
-      "| family | pairs | wrong yes | wrong no | undecided | no answer | how far at most "
-      "|\n|---|---|---|---|---|---|---|\n";
-  std::vector<Tally> rows = report.judgement.families;
-  rows.push_back(report.judgement.all);
-  for (const Tally& row : rows) {
-    const std::uint64_t none = row.faults() - row.wrong() - row.false_evidence;
-    std::string name = message_line(row.family);
-    std::ranges::replace(name, '|', '/');
-    text += "| " + name + " | " + count(row.pairs) + " | " + count(row.of(Verdict::wrong_yes)) + " | " +
-            count(row.of(Verdict::wrong_no)) + " | " + count(row.of(Verdict::undecided)) + " | " + count(none) + " | " +
-            (row.wrong() > 0 ? size_text(row.worst) : "") + " |\n";
+  std::vector<Row> rows{columns};
+  for (const Tally& each : report.judgement.families) rows.push_back(row_of(each));
+  rows.push_back(row_of(report.judgement.all));
+  std::string text;
+  for (Row& row : rows) {
+    std::ranges::replace(row[0], '|', '/');
+    for (const std::string& cell : row) text += "| " + cell + " ";
+    text += "|\n";
+    if (&row == &rows.front()) text += "|---|---|---|---|---|---|---|\n";
   }
   return text;
 }
@@ -302,8 +356,8 @@ std::string steps_text(const Report& report) {
       for (const std::size_t m : each.mistakes)
         text += "  that is what follows from M" + std::to_string(m + 1) + ": " + mistakes()[m].name + "\n";
     }
-  const bool tells_none = steps.searches == 0 && steps.complaint.empty();
-  return text + (tells_none ? "it tells no steps; 'gjkstep judge --help' says how\n" : note_on_steps(steps));
+  const std::string note = note_on_steps(steps);
+  return text + (note.empty() ? "it tells no steps; 'gjkstep judge --help' says how" : note) + "\n";
 }
 
 std::string json(const Report& report) {
@@ -318,7 +372,7 @@ std::string json(const Report& report) {
               {"right", found.is_good()},      {"all", json_of(found.all)},
               {"families", families},          {"causes", causes},
               {"worst", list_of(found.worst)}, {"failed", list_of(found.failed)},
-              {"notes", behaviour(found)}};
+              {"notes", note_lines(report)}};
   if (report.steps.searches > 0 || !report.steps.complaint.empty()) all["steps"] = json_of(report.steps);
   if (report.accepted) all["new"] = report.accepted->news(found);
   return all.dump(1) + "\n";
@@ -326,17 +380,22 @@ std::string json(const Report& report) {
 
 std::vector<SavedScene> scenes_of_worst(const Judgement& judgement) {
   std::vector<SavedScene> files;
-  for (const std::vector<Judged>* const list : {&judgement.failed, &judgement.worst})
-    for (const Judged& each : *list) {
-      if (!can_be_drawn(each.asked.pair)) continue;
-      const std::string what =
-          is_wrong(each.verdict) ? word(each.verdict) + ", " + how_far_in_words(each) : word(each.verdict);
-      const Json name = (message_line(each.asked.name) + ": " + what).substr(0, scene_limits::title);
-      files.push_back(
-          {std::to_string(files.size() + 1) + ".json",
-           "{\"title\":" + name.dump() + "," + bodies_in_line({each.asked.pair.a, each.asked.pair.b}) + "}\n"});
-    }
+  for (const ToldPair& each : told_pairs(judgement))
+    if (!each.file.empty()) files.push_back({each.file, each.scene});
   return files;
+}
+
+Told told(const Report& report) {
+  Told all{.verdict = verdict(report), .accepted = accepted_line(report), .columns = columns};
+  for (const Cause& each : report.causes)
+    all.causes.push_back({each.name, each.evidence, std::lround(100 * each.agreement), what_to_do(report, each)});
+  all.pairs = told_pairs(report.judgement);
+  for (const Tally& each : report.judgement.families)
+    (each.faults() > 0 ? all.with_faults : all.without_faults).push_back(row_of(each));
+  all.all = row_of(report.judgement.all);
+  all.notes = behaviour(report);
+  all.command = command(report, "--report " + shell_word(report.shown));
+  return all;
 }
 
 }  // namespace walkthroughs::judge

@@ -1,4 +1,4 @@
-/// What was found about a program, in words: a first screen of five lines, a table, JSON; and scenes to draw.
+/// What was found about a program, in words: a first screen of five lines, a table, JSON, a page; and scenes to draw.
 #pragma once
 
 #include <optional>
@@ -25,10 +25,11 @@ struct Accepted {
 struct Report {
   std::string program;  ///< with its arguments, as a shell reads them
   std::string options;  ///< of the command line, before "--"; with a blank behind them where there are some
-  Judgement judgement;
-  std::vector<Cause> causes;
+  Judgement judgement = {};
+  std::vector<Cause> causes = {};
   std::optional<Accepted> accepted = {};
   std::string saved = {};  ///< the folder of its scenes; else empty
+  std::string shown = {};  ///< the folder of --report; else empty
   StepsLooked steps = {};
 };
 
@@ -55,5 +56,34 @@ struct SavedScene {
 /// Returns: the pairs without an answer, then the worst, each as a file of one line that `gjkstep render` takes, and --pairs, and the
 /// program itself; those beyond its limits are left out.
 std::vector<SavedScene> scenes_of_worst(const Judgement& judgement);
+
+// -- The same for a page ------------------------------------------------------------------------------------------------
+
+struct ToldPair {
+  std::string name, what;
+  std::string file = {}, scene = {};  ///< what it is saved as, and what stands there; empty where it cannot be drawn
+};
+inline constexpr const char *not_drawn = "beyond what is drawn: its numbers are too large", *no_cause = "none found";
+
+struct ToldCause {
+  std::string name, evidence;
+  long agreement;    ///< in percent
+  std::string next;  ///< a command; empty where nothing follows from it
+};
+
+using Row = std::vector<std::string>;
+
+struct Told {
+  std::string verdict, accepted;
+  std::vector<ToldCause> causes = {};
+  std::vector<ToldPair> pairs = {};                        ///< those without an answer, then the worst
+  Row columns = {}, all = {};                              ///< of the table
+  std::vector<Row> with_faults = {}, without_faults = {};  ///< a family each
+  std::vector<std::string> notes = {};                     ///< on how it behaves
+  std::string command = {};                                ///< that makes the report
+};
+
+/// Returns: what first_screen(), table() and scenes_of_worst() say, in pieces. Requires: report.shown.
+Told told(const Report& report);
 
 }  // namespace walkthroughs::judge

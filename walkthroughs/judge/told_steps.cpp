@@ -138,7 +138,12 @@ StepsLooked look_at_steps(const AskedProgram& program, const Judgement& judgemen
   return looking.take_all();
 }
 
-std::string first_wrong_step(const LookedSearch& search) {
+std::optional<Parting> parting_of(const StepsLooked& looked) {
+  const LookedSearch* const shown = looked.shown();
+  return shown ? steps::parting_of(shown->run, *first_wrong(shown->findings)) : std::nullopt;
+}
+
+std::string words_of_first_wrong(const LookedSearch& search) {
   const StepFinding& wrong = *first_wrong(search.findings);
   return message_line(search.run.name) + ", iteration " + std::to_string(wrong.iteration) + ": " +
          message_line(wrong.words);
@@ -150,7 +155,8 @@ void add_cause(const StepsLooked& looked, std::vector<Cause>& causes) {
   const auto of = [](std::size_t some, std::size_t all) { return std::to_string(some) + " of " + std::to_string(all); };
   const double share = static_cast<double>(*most) / static_cast<double>(looked.wrong);
   if (share < enough_agreement) {
-    causes.push_back({"wrong steps", of(looked.wrong, looked.searches) + " searches have one", 1});
+    causes.push_back(
+        {"wrong steps", of(looked.wrong, looked.searches) + " searches have one", 1, "", "--report report"});
     return;
   }
   const auto& known = wrong_on_purpose::all()[static_cast<std::size_t>(most - looked.by_mistake.begin())];

@@ -2,11 +2,13 @@
 /// line at the end of each iteration, as walkthroughs/steps/told_run.hpp has it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "walkthroughs/judge/causes.hpp"
 #include "walkthroughs/steps/check_steps.hpp"
+#include "walkthroughs/steps/parting.hpp"
 
 namespace walkthroughs::judge {
 
@@ -34,8 +36,11 @@ struct StepsLooked {
 /// Asks about what failed, the worst, and samples of what it answers wrongly and rightly. Errors: those of run_program().
 StepsLooked look_at_steps(const AskedProgram& program, const Judgement& judgement);
 
+/// Returns: the one that is shown, beside the report's; nothing where there is none, or what it tells are no numbers.
+std::optional<Parting> parting_of(const StepsLooked& looked);
+
 /// Returns: "m14-1, iteration 3: keeps …". Requires: a wrong step.
-std::string first_wrong_step(const LookedSearch& search);
+std::string words_of_first_wrong(const LookedSearch& search);
 
 /// Adds why answers are wrong, by the steps: first the mistake that makes most of the first wrong ones; or last, that there are some.
 void add_cause(const StepsLooked& looked, std::vector<Cause>& causes);

@@ -262,15 +262,16 @@ void publish(const fs::path& folder, const std::vector<std::string>& patterns, c
   discard_stage(folder);
 }
 
-void discard_stage(const fs::path& folder) {
-  const fs::path stage = folder / stage_folder;
+void discard(const fs::path& folder) {
   std::error_code ignored;
-  if (!fs::is_directory(fs::symlink_status(stage, ignored))) return;
-  remove_outputs(stage, {"*"});
-  tidy_manifest(stage);
-  if (Manifest(stage).tidied().empty()) fs::remove(stage / manifest_file, ignored);
-  fs::remove(stage, ignored);  // unless there is more in it
+  if (!fs::is_directory(fs::symlink_status(folder, ignored))) return;
+  remove_outputs(folder, {"*"});
+  tidy_manifest(folder);
+  if (Manifest(folder).tidied().empty()) fs::remove(folder / manifest_file, ignored);
+  fs::remove(folder, ignored);
 }
+
+void discard_stage(const fs::path& folder) { discard(folder / stage_folder); }
 
 std::vector<fs::path> our_files(const fs::path& folder) {
   const Manifest manifest(folder);

@@ -57,7 +57,10 @@ enum class Others { kept, overwritten };
 void publish(const std::filesystem::path& folder, const std::vector<std::string>& patterns, const std::string& last,
              Others others);
 
-/// Removes what is ours from the stage of a folder, and the stage: also that of a run that was killed.
+/// Removes what is ours from a folder, and the folder, unless there is more in it.
+void discard(const std::filesystem::path& folder);
+
+/// The same of the stage of a folder: also that of a run that was killed.
 void discard_stage(const std::filesystem::path& folder);
 
 /// Returns: the files in `folder` whose names fit one of the patterns and that would be lost where one of that name is written or

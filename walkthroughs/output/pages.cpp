@@ -7,6 +7,7 @@
 #include <ranges>
 #include <set>
 #include <system_error>
+#include <tuple>
 
 #include "render/file.hpp"
 #include "render/html.hpp"
@@ -64,9 +65,15 @@ std::optional<PageJson> entry_at(const fs::path& folder, const std::string& name
   return is_whole ? entry : std::nullopt;
 }
 
+/// Returns: what to sort names by: "10" comes after "2".
+std::string with_whole_number(const std::string& name) {
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+  return std::string(digits > 0 && digits < 20 ? 20 - digits : 0, '0') + name;
+}
+
 /// Returns: those of all pages in the folder, in the order of the catalogue, scenes of one's own last.
 std::vector<PageJson> entries_in(const fs::path& folder) {
-  std::map<std::pair<std::ptrdiff_t, std::string>, PageJson> entries;
+  std::map<std::tuple<std::ptrdiff_t, std::string, std::string>, PageJson> entries;
   std::error_code unreadable, no_status;
   for (auto at = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, unreadable);
        !unreadable && at != fs::recursive_directory_iterator(); at.increment(unreadable)) {
@@ -74,7 +81,8 @@ std::vector<PageJson> entries_in(const fs::path& folder) {
     if (!at->is_directory(no_status)) continue;
     const std::string name = at->path().lexically_relative(folder).generic_string();
     const auto place = std::ranges::find(whole_catalogue(), name, &Walkthrough::name) - whole_catalogue().begin();
-    if (std::optional<PageJson> entry = entry_at(folder, name)) entries.emplace(std::pair(place, name), *entry);
+    if (std::optional<PageJson> entry = entry_at(folder, name))
+      entries.emplace(std::tuple(place, with_whole_number(name), name), *entry);
   }
   const auto values = std::views::values(entries);
   return {values.begin(), values.end()};
@@ -82,7 +90,7 @@ std::vector<PageJson> entries_in(const fs::path& folder) {
 
 /// What the program in the page is asked to tell; null where it would tell something else, or is not there.
 PageJson request_for(const PageOrigin& origin, const PagesWanted& wanted) {
-  if (page_programs().empty() || !wanted.is_usual || !origin.option.empty()) return nullptr;
+  if (page_programs().empty() || !wanted.is_usual || !origin.option.empty() || !origin.made_by.empty()) return nullptr;
   if (origin.file.empty()) return {{"name", origin.name}};
   return {{"scene", origin.scene}, {"file", called(origin.file)}};
 }
@@ -92,16 +100,17 @@ PageSurroundings surroundings_of(const Walkthrough& walkthrough, const PagesWant
   const std::string what = here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file);
   PageSurroundings all;
   all.has_files_beside = wanted.has_files_beside;
-  all.command = "gjkstep render " + what + (all.has_files_beside ? " --page" : " --page=single") + wanted.options;
-  const bool has_trace_command = !walkthrough.scenes.empty() && here->option.empty();
-  if (has_trace_command && all.has_files_beside) all.sources.push_back({trace_file, trace_file});
-  if (has_trace_command) all.sources.push_back({"", "gjkstep trace " + what});
+  const std::string render = "gjkstep render " + what + (all.has_files_beside ? " --page" : " --page=single");
+  all.command = here->made_by.empty() ? render + wanted.options : here->made_by;
+  const bool has_trace = !walkthrough.scenes.empty() && here->option.empty();
+  if (has_trace && all.has_files_beside) all.sources.push_back({trace_file, trace_file});
+  if (has_trace && here->made_by.empty()) all.sources.push_back({"", "gjkstep trace " + what});
   all.live = request_for(*here, wanted);
   if (!all.has_files_beside) return all;
   if (!here->file.empty())
     all.sources.push_back({here->option.empty() ? copy_of_scene(*here) : trace_file, here->file.filename()});
-  const auto way_to = [from = walkthrough.name](const std::string& name) {
-    return (fs::path(name) / page_file).lexically_relative(from).generic_string();
+  const auto way_to = [from = walkthrough.name](const std::string& name, const std::string& file = page_file) {
+    return (fs::path(name) / file).lexically_relative(from).generic_string();
   };
   if (!all.live.is_null())
     for (const PageFile& program : page_programs())
@@ -112,6 +121,7 @@ PageSurroundings surroundings_of(const Walkthrough& walkthrough, const PagesWant
                           fs::exists(wanted.folder / name / page_file, unreadable);
     return is_there ? way_to(name) : "";
   };
+  if (!wanted.report.empty()) all.ways.push_back({way_to("", wanted.report), "The report"});
   all.ways.push_back({way_to(""), "All walkthroughs"});
   if (here != wanted.origins.begin()) all.ways.push_back({way_to((here - 1)->name), "← " + (here - 1)->title});
   if (here + 1 != wanted.origins.end()) all.ways.push_back({way_to((here + 1)->name), "→ " + (here + 1)->title});

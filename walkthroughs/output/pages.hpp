@@ -19,6 +19,7 @@ struct PageOrigin {
   std::string option;          ///< of the command line, before the file: "--from-trace "
   std::filesystem::path file;  ///< empty where it is one of the catalogue
   std::string scene;           ///< the text of a scene file
+  std::string made_by = {};    ///< the command that tells it, where that is not render
 };
 
 /// What is said of pages on the command line.
@@ -28,6 +29,7 @@ struct PagesWanted {
   std::filesystem::path folder;     ///< that of the output
   std::string options;              ///< what else was said about the pictures
   bool is_usual;                    ///< whether nothing was said that the program in a page would tell otherwise
+  std::string report;               ///< a page that shows them and lies beside the index; empty: none
   std::vector<PageOrigin> origins;  ///< one for each walkthrough of the run, in order
 };
 

@@ -30,13 +30,6 @@ std::vector<const Walkthrough*> walkthroughs_named(const std::string& name) {
   return found.empty() ? std::vector{&walkthrough_named(name)} : found;
 }
 
-void expect_named(const std::string& option, const std::string& name, const std::string& example) {
-  if (name.empty() || name.starts_with("--")) throw UsageError(option + " " + in_quotes(name) + ": name " + example);
-  if (name == "-")
-    throw UsageError(option + " '-': this is not written to standard output; name " + example +
-                     ", or ./- if you mean it");
-}
-
 bool is_scene_file(const std::string& name) {
   return is_standard_input(name) || boost::algorithm::iends_with(name, ".json");
 }

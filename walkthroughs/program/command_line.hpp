@@ -21,13 +21,13 @@ struct Command {
 };
 
 Command add_list_command(CLI::App& app);
-/// `gl` is what --gl says, before the command or after it. It must live as long as the command.
+/// `gl`, here and below, is what --gl says, before the command or after it. It must live as long as the command.
 Command add_render_command(CLI::App& app, std::optional<std::string>& gl);
 Command add_trace_command(CLI::App& app);
 Command add_scene_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_query_command(CLI::App& app);
-Command add_judge_command(CLI::App& app);
+Command add_judge_command(CLI::App& app, std::optional<std::string>& gl);
 
 /// Errors: UsageError, with the name that was probably meant.
 const Walkthrough& walkthrough_named(const std::string& name);
@@ -42,10 +42,6 @@ void add_backend_option(CLI::App& command, std::optional<std::string>& name);
 /// the default. Whether this build has it shows when the context is made.
 /// Errors: UsageError, with the names that there are.
 render::Backend chosen_backend(const std::optional<std::string>& name);
-
-/// Errors: UsageError where what is to be written has no name, that of the next option, or "-". `example`: what to
-/// name, and how.
-void expect_named(const std::string& option, const std::string& name, const std::string& example);
 
 /// Options of render that may have a word behind them, and which; alone they mean the first: --page is --page=beside.
 inline const std::map<std::string, std::vector<std::string>> words_of_flags{

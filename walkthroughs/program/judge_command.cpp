@@ -25,6 +25,7 @@
 #include "walkthroughs/pairs/families.hpp"
 #include "walkthroughs/pairs/graded.hpp"
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/judge_report.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/story/words.hpp"
@@ -37,7 +38,6 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{64} << 20;
 constexpr std::uint64_t most_of_each = 1'000'000;
-constexpr std::size_t kept_worst = 10;
 
 /// Returns: all that a program can be asked about.
 std::vector<std::string> names_of_families();
@@ -70,7 +70,8 @@ void show_progress(std::uint64_t done, std::uint64_t most) {
 
 struct JudgeCommand {
   std::vector<std::string> program, families, without;
-  std::optional<std::string> pairs, save, accept, adapter;
+  std::optional<std::string> pairs, save, accept, adapter, shown;
+  render::Backend backend = render::default_backend();  ///< of what is shown
   std::uint64_t count = 100, seed = 1;
   double time_limit = 2, tolerance = 0;
   std::string numbers = "double", touching = "yes";
@@ -84,11 +85,11 @@ struct JudgeCommand {
     return {numbers == "float" ? judge::Numbers::floats : judge::Numbers::doubles, in_plane};
   }
   judge::Standard standard() const;
+  ReportFolder report_folder() const { return {shown.value(), backend, force}; }
   judge::Cases cases() const;
   Places places() const;
   judge::Report report() const;
   void expect_possible() const;
-  void write_scenes(const judge::Judgement& judgement) const;
   judge::Accepted accepted(const judge::Judgement& judgement, const std::optional<std::set<std::string>>& known) const;
 };
 
@@ -154,11 +155,6 @@ void JudgeCommand::expect_possible() const {
     throw UsageError("--json, --table and --steps are each what is printed; leave all but one out");
 }
 
-void JudgeCommand::write_scenes(const judge::Judgement& judgement) const {
-  for (const judge::SavedScene& each : judge::scenes_of_worst(judgement))
-    write_output(std::filesystem::path(*save) / each.name, each.text);
-}
-
 constexpr const char* head_of_accepted = "# What gjkstep judge has accepted as wrong. Remove this file to accept anew.";
 
 bool is_there(const std::string& file) {
@@ -215,9 +211,11 @@ Places JudgeCommand::places() const {
     else
       places.write(*accept, "what --accept writes");
   }
+  if (shown) report_folder().add_written(places);
   places.write_standard_output();
   places.expect_apart();
-  if (save) places.expect_no_loss(force ? Others::overwritten : Others::kept, "--save");
+  const std::string elsewhere = !shown ? "--save" : save ? "--save and --report" : "--report";
+  if (save || shown) places.expect_no_loss(force ? Others::overwritten : Others::kept, elsewhere);
   return places;
 }
 
@@ -226,10 +224,13 @@ judge::Report JudgeCommand::report() const {
   const judge::AskedProgram asked{.words = program,
                                   .limit = std::chrono::milliseconds(std::lround(1000 * time_limit)),
                                   .is_answer = judge::is_meant_as_answer};
-  judge::Report report{joined(program, " ", shell_quoted), options, {}, {}, {}, save.value_or("")};
+  judge::Report report{.program = joined(program, " ", shell_quoted),
+                       .options = options,
+                       .saved = save.value_or(shown.value_or("")),
+                       .shown = shown.value_or("")};
   try {
     report.judgement = judge::judge(asked, cases(), standard(), kept_worst, show_progress);
-    if (save) write_scenes(report.judgement);
+    if (save) write_scenes(*save, report.judgement);
     if (report.judgement.all.pairs == 0)
       throw UsageError("no pair is left to ask: floats have no room for any of them");
     if (const auto why = judge::why_not_judged(report.judgement))
@@ -258,6 +259,7 @@ int JudgeCommand::run() const {
   else if (accept)
     render::expect_writable(*accept);
   if (save) render::make_folder(*save, "choose another with --save");  // before the work, not after it
+  if (shown) report_folder().expect_possible();
   judge::Report found = report();
   if (accept) found.accepted = accepted(found.judgement, known);
   std::cout << (as_json    ? judge::json(found)
@@ -265,6 +267,12 @@ int JudgeCommand::run() const {
                 : as_steps ? judge::steps_text(found)
                            : judge::first_screen(found))
             << std::flush;
+  if (shown) {
+    const std::optional<Parting> parting = judge::parting_of(found.steps);
+    const std::optional<Story> story = parting ? std::optional(parting->story()) : std::nullopt;
+    const std::filesystem::path page = report_folder().write(found, story ? &*story : nullptr);
+    if (!as_json && !as_table && !as_steps) std::cout << "open " << printable(page.string()) << '\n';
+  }
   used.tidy_manifests();
   const bool is_known = found.accepted && found.judgement.behaves() && found.accepted->news(found.judgement).empty();
   return is_known || found.judgement.is_good() ? 0 : 1;
@@ -285,8 +293,9 @@ CLI::Option* add_families(CLI::App& command, const std::string& option, std::vec
 std::string given_options(const CLI::App& command) {
   std::string text;
   for (const CLI::Option* const option : command.parse_order()) {
-    if (!option->get_name().starts_with("--") || option->get_name() == "--save" || option->get_name() == "--force")
-      continue;
+    const bool is_of_places =
+        std::set<std::string>{"--save", "--report", "--force", "--gl"}.contains(option->get_name());
+    if (!option->get_name().starts_with("--") || is_of_places) continue;
     text += option->get_name() + " ";
     if (option->get_expected_max() > 0)
       text += shell_word(joined(option->results(), ",", [](const auto& each) { return each; })) + " ";
@@ -296,7 +305,7 @@ std::string given_options(const CLI::App& command) {
 
 }  // namespace
 
-Command add_judge_command(CLI::App& app) {
+Command add_judge_command(CLI::App& app, std::optional<std::string>& gl) {
   const auto asked = std::make_shared<JudgeCommand>();
   CLI::App* const command = app.add_subcommand("judge", "is another program's GJK right, how wrong is it, and why?");
   add_families(*command, "--families", asked->families, "only pairs of these, such as triangles,boxes");
@@ -326,6 +335,8 @@ Command add_judge_command(CLI::App& app) {
       command->add_option("--time-limit", asked->time_limit, "seconds until the next answer")->capture_default_str(),
       0.01, 3600.0);
   command->add_option("--save", asked->save, "folder for the worst pairs, as scenes that 'gjkstep render' draws");
+  command->add_option("--report", asked->shown, "folder for report.html: what was found, and pages of the worst pairs");
+  add_backend_option(*command, gl);
   command->add_option("--accept", asked->accept,
                       "file of faults that are known, which are no failure; it is written where it is not there");
   add_force_flag(*command, asked->force);
@@ -336,10 +347,12 @@ Command add_judge_command(CLI::App& app) {
       ->check(CLI::IsMember({"c", "cpp", "py", "mjs"}));
   command->add_option("PROGRAM", asked->program, "what to judge, and its arguments, after --");
   command->footer(footer());
-  return {command, [asked, command] {
+  return {command, [asked, command, &gl] {
             asked->makes_pairs =
                 command->count("--families") + command->count("--count") + command->count("--seed") > 0;
             asked->options = given_options(*command);
+            if (gl && !asked->shown) throw UsageError("--gl: without --report 'judge' draws nothing; leave --gl out");
+            if (asked->shown) asked->backend = chosen_backend(gl);
             return asked->run();
           }};
 }

@@ -77,9 +77,9 @@ int run(int argc, char** argv) {
   app.add_flag("--version", version, "print the version and the OpenGL renderer");
   std::optional<std::string> gl;
   add_backend_option(app, gl);
-  const std::vector<Command> commands = {add_list_command(app),  add_render_command(app, gl), add_trace_command(app),
-                                         add_scene_command(app), add_compare_command(app),    add_query_command(app),
-                                         add_judge_command(app)};
+  const std::vector<Command> commands = {add_list_command(app),     add_render_command(app, gl), add_trace_command(app),
+                                         add_scene_command(app),    add_compare_command(app),    add_query_command(app),
+                                         add_judge_command(app, gl)};
 
   try {
     app.parse(words_of(argc, argv));
@@ -92,7 +92,8 @@ int run(int argc, char** argv) {
   const auto chosen = std::ranges::find_if(commands, [](const auto& each) { return each.words->parsed(); });
   const std::string name = chosen == commands.end() ? "" : chosen->words->get_name();
   if (version && !name.empty()) throw UsageError("--version stands alone; leave it out, or '" + name + "'");
-  if (gl && !name.empty() && name != "render") throw UsageError("--gl: '" + name + "' draws nothing; leave --gl out");
+  if (gl && !name.empty() && name != "render" && name != "judge")
+    throw UsageError("--gl: '" + name + "' draws nothing; leave --gl out");
   if (!version && name.empty()) throw UsageError("what to do? 'gjkstep --help' shows the commands");
   if (!version) return chosen->run();
   print_version(gl);

@@ -11,6 +11,7 @@
 
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/program/exit_code.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace walkthroughs::program {
@@ -152,6 +153,13 @@ void Places::tidy_manifests() const {
   for (const auto& [file, what] : files_) folders.insert(file.parent_path());
   for (const Folder& folder : folders_) folders.insert(folder.spelt);
   std::ranges::for_each(folders, tidy_manifest);
+}
+
+void expect_named(const std::string& option, const std::string& name, const std::string& example) {
+  if (name.empty() || name.starts_with("--")) throw UsageError(option + " " + in_quotes(name) + ": name " + example);
+  if (name == "-")
+    throw UsageError(option + " '-': this is not written to standard output; name " + example +
+                     ", or ./- if you mean it");
 }
 
 }  // namespace walkthroughs::program

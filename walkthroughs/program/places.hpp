@@ -51,4 +51,8 @@ class Places {
   std::vector<Folder> folders_;
 };
 
+/// Errors: UsageError where what is to be written has no name, that of the next option, or "-". `example`: what to
+/// name, and how.
+void expect_named(const std::string& option, const std::string& name, const std::string& example);
+
 }  // namespace walkthroughs::program

@@ -35,7 +35,7 @@ TEST_CASE(
   CHECK(causes.front().name.starts_with("M14: "));
   CHECK(causes.front().mistake == "m14-order-below-triangle");
   REQUIRE(looked.shown());
-  CHECK(first_wrong_step(*looked.shown()).find(": keeps [C, B, A] where the report keeps [C, A, B]") !=
+  CHECK(words_of_first_wrong(*looked.shown()).find(": keeps [C, B, A] where the report keeps [C, A, B]") !=
         std::string::npos);
 }
 

@@ -364,6 +364,34 @@ class Page(PageInBrowser):
             self.assertLess(worst, 45, name)
             self.assertLess(mean, 1.5, name)
 
+    # -- The report of gjkstep judge
+
+    def test_the_report_about_a_program_fits_and_leads_to_pages_that_answer(self):
+        said = subprocess.run([program, "judge", "--families", "grid-triangles", "--count", "9", "--report", self.out / "judged",
+                               "--", "sed", "s/.*/yes/"], stdout=subprocess.DEVNULL)
+        self.assertEqual(said.returncode, 1)
+        page = self.out / "judged/report.html"
+        for width, height in [(1366, 768), (390, 844)]:
+            self.look(width, height)
+            self.browser.get(f"file://{page}")
+            self.assert_fits()
+            self.assertGreater(len(self.all(".shot img")), 1)
+            self.find("summary").click()
+            self.assert_fits()
+            picture = self.find(".shot img")
+            self.js("arguments[0].scrollIntoView()", picture)
+            self.wait(lambda: self.js("return arguments[0].naturalWidth", picture) == 1280)
+        tidy = subprocess.run(["tidy", "-q", "-e", "-utf8", page], capture_output=True, text=True).stderr
+        self.assertEqual([line for line in tidy.splitlines() if '"loading"' not in line and '"nonce"' not in line], [])
+        self.look(1366, 768)
+        self.browser.get(f"file://{page}")
+        self.find(".card .shot").click()
+        self.live()
+        self.assertEqual(self.step(), len(self.all(".step")))
+        self.assertEqual(self.answers(), "The search: apart · Proven: apart")
+        self.find("nav a").click()
+        self.wait(lambda: "not right on" in self.browser.title)
+
     def test_without_webassembly_the_recorded_pictures_are_there(self):
         self.without_programs()
         self.open("live")
