@@ -24,10 +24,10 @@ struct Sample {
   gjk::PointSet<double> a, b;
   std::vector<Vec> directions;  ///< one for each of starts()
   bool is_wrong;
-  bool touches;
-  bool expected, may_be_either;  ///< the right answer
-  bool is_clear;                 ///< neither rounding, be it to floats, nor a cycle decides
-  std::vector<Run> runs;         ///< of the report's algorithm, one for each of starts()
+  bool touches, one_is_inside;
+  Called right;           ///< the answer
+  bool is_clear;          ///< neither rounding, be it to floats, nor a cycle decides
+  std::vector<Run> runs;  ///< of the report's algorithm, one for each of starts()
   bool misleads_the_report() const {
     return std::ranges::any_of(runs,
                                [&](const Run& run) { return (run.status == gjk::Status::intersecting) != meet(); });
@@ -35,7 +35,9 @@ struct Sample {
 
   bool says_yes() const { return judged->said == Said::intersecting; }
   bool meet() const { return judged->asked.meet(); }
-  bool is_right(bool says_yes) const { return may_be_either || says_yes == expected; }
+  bool is_right(bool says_yes) const { return right == Called::either || says_yes == (right == Called::intersecting); }
+  /// What a program says that finds this, and calls sets one of which is inside the other what they are to be called.
+  bool says_yes_where(bool they_meet) const { return they_meet && !(one_is_inside && right == Called::separated); }
 };
 
 constexpr double near_contact = 1e-5;  // relative to the largest number
@@ -67,8 +69,8 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
                   .directions = {},
                   .is_wrong = is_wrong(each.verdict) || each.verdict == Verdict::within_tolerance,
                   .touches = touches,
-                  .expected = meet && !(touches && standard.touching == Touching::separated),
-                  .may_be_either = touches && standard.touching == Touching::either,
+                  .one_is_inside = meet && !touches && one_is_inside(pair, in_plane),
+                  .right = right_answer(each.asked, standard),
                   .is_clear = false,
                   .runs = {}};
     for (const Start& start : starts()) {
@@ -144,16 +146,17 @@ class Search {
   }
 
   template <class SaysYes>
-  void predict(const std::string& name, const std::string& how, const SaysYes& says_yes) {
+  void predict(const std::string& name, const std::string& how, const SaysYes& says_yes,
+               const std::string& option = "") {
     const Overlap overlap = overlap_with(says_yes);
-    causes_.push_back({name, how + ": " + words_of(overlap), overlap.share()});
+    causes_.push_back({name, how + ": " + words_of(overlap), overlap.share(), "", option});
   }
 
   template <class Change>
   void predict_after(const std::string& name, const std::string& how, const Change& change) {
     predict(name, how, [&](const Sample& each) {
       PointPair pair = each.judged->asked.pair;
-      return change(pair) ? truth_of(pair) == gjk::Status::intersecting : each.meet();
+      return each.says_yes_where(change(pair) ? truth_of(pair) == gjk::Status::intersecting : each.meet());
     });
   }
 
@@ -164,7 +167,10 @@ class Search {
     if (says(true)) predict("it always says yes", "that answer", [](const Sample&) { return true; });
     if (says(false)) predict("it always says no", "that answer", [](const Sample&) { return false; });
     predict("contact is taken for a miss", "'no' to all that only touch",
-            [](const Sample& each) { return each.meet() && !each.touches; });
+            [](const Sample& each) { return each.says_yes_where(each.meet()) && !each.touches; });
+    predict(
+        "a set inside the other is taken for apart", "'no' where one lies inside the other",
+        [](const Sample& each) { return each.meet() && !each.one_is_inside; }, "--solid no");
     predict_after("z is ignored", "the truth with every z at 0", [](PointPair& pair) {
       for (Points* const set : {&pair.a, &pair.b})
         for (Vec& p : *set) p.z() = 0;
@@ -183,12 +189,14 @@ class Search {
       return true;
     });
     predict("contact is taken for an intersection", "'yes' to all that only touch",
-            [](const Sample& each) { return each.meet(); });
+            [](const Sample& each) { return each.says_yes_where(each.meet()); });
+    predict("a set inside the other is taken for an intersection", "'yes' where one lies inside the other",
+            [](const Sample& each) { return each.one_is_inside || each.right == Called::intersecting; });
     for (const auto& [most, where] :
          {std::pair{2, "a vertex or segment"}, std::pair{3, "a vertex, segment or triangle"}})
       predict(std::string("the origin is not seen on ") + where + ", as where a zero direction is normalized",
               "'no' where such a simplex holds it",
-              [most](const Sample& each) { return each.meet() && each.runs[0].vertices > most; });
+              [most](const Sample& each) { return each.says_yes_where(each.meet()) && each.runs[0].vertices > most; });
     look_at_parts();
   }
 
@@ -245,7 +253,8 @@ class Search {
     for (std::size_t start = 0; start < starts().size(); ++start) {
       for (int most = 1; most <= 30; ++most) {
         const Overlap found = overlap_with([&](const Sample& each) {
-          return each.runs[start].iterations <= most && each.runs[start].status == gjk::Status::intersecting;
+          return each.runs[start].iterations <= most &&
+                 each.says_yes_where(each.runs[start].status == gjk::Status::intersecting);
         });
         if (found.share() <= limited.share()) continue;
         limited = found;
@@ -253,7 +262,8 @@ class Search {
       }
       for (std::size_t m = 0; m < mistakes().size(); ++m) {
         const Overlap found = overlap_with([&](const Sample& each) {
-          return mistakes()[m].ask_from(each.directions[start], each.a, each.b).status == gjk::Status::intersecting;
+          return each.says_yes_where(mistakes()[m].ask_from(each.directions[start], each.a, each.b).status ==
+                                     gjk::Status::intersecting);
         });
         if (found.share() > mistaken[m].share()) mistaken[m] = found;
       }

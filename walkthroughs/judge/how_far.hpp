@@ -20,4 +20,7 @@ HowFar how_far(const Case& asked, bool in_plane);
 /// Returns: whether they have a point in common, and an arbitrarily short move parts them. Decided exactly. Requires: that they meet.
 bool only_touch(const PointPair& pair, bool in_plane);
 
+/// Returns: whether all points of one lie in the interior of the other, in the plane or in space. Decided exactly.
+bool one_is_inside(const PointPair& pair, bool in_plane);
+
 }  // namespace walkthroughs::judge

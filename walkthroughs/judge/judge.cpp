@@ -27,14 +27,6 @@ Verdict verdict_on(Reply::Kind kind) {
   return Verdict::not_asked;
 }
 
-/// Whether this answer to it is the one that is expected, or may be given.
-bool is_right(const Case& asked, bool says_yes, const Standard& standard) {
-  if (standard.touching == Touching::intersecting || !asked.meet()) return says_yes == asked.meet();
-  if (standard.touching == Touching::either && says_yes) return true;
-  const bool touch = only_touch(asked.pair, standard.expected.in_plane);
-  return touch ? standard.touching == Touching::either || !says_yes : says_yes;
-}
-
 Verdict verdict_on(const Case& asked, Said said, const Standard& standard) {
   switch (said) {
     case Said::undecided: return Verdict::undecided;
@@ -44,7 +36,9 @@ Verdict verdict_on(const Case& asked, Said said, const Standard& standard) {
     case Said::separated: break;
   }
   const bool says_yes = said == Said::intersecting;
-  return is_right(asked, says_yes, standard) ? Verdict::right : says_yes ? Verdict::wrong_yes : Verdict::wrong_no;
+  const Called right = right_answer(asked, standard);
+  if (right == Called::either || says_yes == (right == Called::intersecting)) return Verdict::right;
+  return says_yes ? Verdict::wrong_yes : Verdict::wrong_no;
 }
 
 Tally& tally_of(const std::string& family, std::vector<Tally>& all) {
@@ -162,6 +156,14 @@ bool Judgement::behaves() const {
          replies.floods == 0 && replies.long_lines == 0;
 }
 
+Called right_answer(const Case& asked, const Standard& standard) {
+  const bool in_plane = standard.expected.in_plane;
+  if (!asked.meet()) return Called::separated;
+  if (standard.touching != Called::intersecting && only_touch(asked.pair, in_plane)) return standard.touching;
+  if (standard.inside != Called::intersecting && one_is_inside(asked.pair, in_plane)) return standard.inside;
+  return Called::intersecting;
+}
+
 bool can_be_drawn(const PointPair& pair) {
   return std::max(pair.a.size(), pair.b.size()) <= scene_limits::points &&
          largest_number(pair) <= scene_limits::magnitude;
@@ -181,6 +183,8 @@ Judged judged(const Case& asked, const Reply& reply, const Standard& standard) {
   judged.false_evidence = judged.verdict == Verdict::right && answer.evidence == Evidence::proves_nothing;
   if (!is_wrong(judged.verdict)) return judged;
   judged.how_far = how_far(asked, standard.expected.in_plane);
+  // Of surfaces alone, a move into the other set may be shorter than the one out of it that is measured.
+  if (asked.meet() && standard.inside != Called::intersecting) judged.how_far.is_bound = judged.how_far.length > 0;
   if (judged.how_far.relative <= standard.tolerance && standard.tolerance > 0)
     judged.verdict = Verdict::within_tolerance;
   return judged;

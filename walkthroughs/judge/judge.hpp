@@ -16,13 +16,14 @@
 
 namespace walkthroughs::judge {
 
-/// What sets that only touch are to be called.
-enum class Touching { intersecting, separated, either };
+/// What sets are to be called that programs see in different ways.
+enum class Called { intersecting, separated, either };
 
 /// What is wrong, and how wrong it may be.
 struct Standard {
   Expected expected = {};
-  Touching touching = Touching::intersecting;
+  Called touching = Called::intersecting;  ///< sets that only touch
+  Called inside = Called::intersecting;    ///< sets of which one lies wholly inside the other, not touching its surface
   double tolerance =
       0;  ///< what is no farther from the other answer, relative to the size of the pair, is counted apart
 };
@@ -94,6 +95,9 @@ struct Judgement {
 /// `progress`: is told how many of how many are done. Errors: those of run_program() and of Cases.
 Judgement judge(const AskedProgram& program, Cases cases, const Standard& standard, std::size_t worst,
                 const std::function<void(std::uint64_t done, std::uint64_t most)>& progress);
+
+/// Returns: what the sets are to be called.
+Called right_answer(const Case& asked, const Standard& standard);
 
 /// Returns: whether `gjkstep render` takes the pair.
 bool can_be_drawn(const PointPair& pair);

@@ -79,8 +79,8 @@ std::string worst_line(const Report& report) {
   if (!is_wrong(shown->verdict))
     return "first without an answer: " + name + ": " +
            (shown->detail.empty() ? word(shown->verdict) : message_line(shown->detail)) + "\n";
-  return "worst: " + name + ": " + how_far_in_words(*shown) + ", and it says " + (shown->asked.meet() ? "no" : "yes") +
-         "\n";
+  return "worst: " + name + ": " + how_far_in_words(*shown) + ", and it says " +
+         (shown->said == Said::intersecting ? "yes" : "no") + "\n";
 }
 
 std::string command(const Report& report, const std::string& more) {

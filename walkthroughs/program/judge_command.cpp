@@ -69,7 +69,7 @@ struct JudgeCommand {
   std::optional<std::string> pairs, save, accept, adapter;
   std::uint64_t count = 100, seed = 1;
   double time_limit = 2, tolerance = 0;
-  std::string numbers = "double", touching = "yes";
+  std::string numbers = "double", touching = "yes", solid = "yes";
   bool in_plane = false, as_json = false, as_table = false, makes_pairs = false, force = false;
   std::string options;  ///< as they were given
 
@@ -185,13 +185,13 @@ judge::Accepted JudgeCommand::accepted(const judge::Judgement& judgement,
   return {*accept, {judgement.faults.begin(), judgement.faults.end()}, true};
 }
 
+judge::Called called_by(const std::string& word) {
+  using judge::Called;
+  return word == "no" ? Called::separated : word == "either" ? Called::either : Called::intersecting;
+}
+
 judge::Standard JudgeCommand::standard() const {
-  using judge::Touching;
-  return {expected(),
-          touching == "no"       ? Touching::separated
-          : touching == "either" ? Touching::either
-                                 : Touching::intersecting,
-          tolerance};
+  return {expected(), called_by(touching), called_by(solid), tolerance};
 }
 
 /// Returns: what is read and written. Errors: UsageError where two of these are at one place, or a file of others would be lost.
@@ -311,6 +311,13 @@ Command add_judge_command(CLI::App& app) {
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command->add_option("--touching", asked->touching, "what sets that only touch are to be called: yes, no or either")
+      ->check(CLI::IsMember({"yes", "no", "either"}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--solid", asked->solid,
+          "what sets are to be called of which one lies wholly inside the other, not touching its surface: yes, no "
+          "(as of hollow meshes) or either")
       ->check(CLI::IsMember({"yes", "no", "either"}))
       ->capture_default_str();
   command->add_flag("--plane", asked->in_plane, "for programs of the plane: every z is 0");

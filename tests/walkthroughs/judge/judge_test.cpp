@@ -36,6 +36,17 @@ Judgement judged_on_kept(const AskedProgram& asked, const Standard& standard = {
   return judge(asked, cases_of(kept(), {}, 0, 1, standard.expected), standard, 10, [](auto, auto) {});
 }
 
+Judgement judged_on_all(const AskedProgram& asked, const Standard& standard = {}) {
+  return judge(asked, cases_of(kept(), families_of_points(), 100, 1, standard.expected), standard, 10,
+               [](auto, auto) {});
+}
+
+/// Some of which lie inside the other.
+Judgement judged_on_boxes(const AskedProgram& asked, const Standard& standard) {
+  return judge(asked, cases_of({}, {&family_named("boxes"), &family_named("hulls-8")}, 300, 1, standard.expected),
+               standard, 10, [](auto, auto) {});
+}
+
 TEST_CASE("Judge: certified answers are right on all kept pairs, with evidence that holds") {
   const Judgement found = judged_on_kept(program({kit::program().string(), "query", "--certified"}));
   CHECK(found.is_good());
@@ -68,14 +79,49 @@ TEST_CASE("Judge: within a tolerance an answer is counted apart; contact is what
   CHECK(strict.all.of(Verdict::wrong_no) > 100);
   CHECK(tolerant.all.of(Verdict::within_tolerance) > 100);
   CHECK(tolerant.all.wrong() + tolerant.all.of(Verdict::within_tolerance) == strict.all.wrong());
-  const Judgement either = judged_on_kept(planted("contact"), {.touching = Touching::either});
-  const Judgement apart = judged_on_kept(planted("contact"), {.touching = Touching::separated});
+  const Judgement either = judged_on_kept(planted("contact"), {.touching = Called::either});
+  const Judgement apart = judged_on_kept(planted("contact"), {.touching = Called::separated});
   CHECK(either.all.wrong() < 40);
   CHECK(apart.all.wrong() < 40);
   const Judgement yes =
-      judged_on_kept(program({kit::program().string(), "query", "--certified"}), {.touching = Touching::separated});
+      judged_on_kept(program({kit::program().string(), "query", "--certified"}), {.touching = Called::separated});
   CHECK(yes.all.of(Verdict::wrong_yes) > 100);
   CHECK(yes.all.of(Verdict::wrong_no) == 0);
+}
+
+TEST_CASE(
+    "Judge: who knows only surfaces is wrong where one set is inside the other, and is told so, unless that is right") {
+  const AskedProgram asked = planted("hollow");
+  const Judgement solid = judged_on_boxes(asked, {});
+  REQUIRE(solid.all.of(Verdict::wrong_no) > 3);
+  CHECK(solid.all.wrong() == solid.all.of(Verdict::wrong_no));
+  const std::vector<Cause> causes = probable_causes(asked, solid, {});
+  REQUIRE_FALSE(causes.empty());
+  CHECK(causes.front().name == "a set inside the other is taken for apart");
+  CHECK(causes.front().option == "--solid no");
+  for (const Called called : {Called::separated, Called::either})
+    CHECK(judged_on_boxes(asked, {.inside = called}).is_good());
+
+  const Standard hollow{.inside = Called::separated};
+  const Judgement filled = judged_on_boxes(planted("none"), hollow);
+  CHECK(filled.all.of(Verdict::wrong_yes) == solid.all.of(Verdict::wrong_no));
+  for (const Judged& each : filled.worst) CHECK(each.how_far.is_bound);
+  CHECK(first_screen({"./mine", "", filled, {}}).find("deep in each other, and it says yes") != std::string::npos);
+  CHECK(probable_causes(planted("none"), filled, hollow).front().name ==
+        "a set inside the other is taken for an intersection");
+  CHECK(judged_on_boxes(planted("none"), {.inside = Called::either}).is_good());
+}
+
+TEST_CASE("Judge: what sets inside each other are called changes no other cause", "[full][unsanitized]") {
+  const Standard hollow{.inside = Called::separated};
+  for (const auto& [fault, name] : {std::pair{"hollow,m14", "M14:"}, std::pair{"hollow,planar", "z is ignored"},
+                                    std::pair{"hollow,contact", "contact is taken for a miss"}}) {
+    INFO(fault);
+    const AskedProgram asked = planted(fault);
+    const std::vector<Cause> causes = probable_causes(asked, judged_on_all(asked, hollow), hollow);
+    REQUIRE_FALSE(causes.empty());
+    CHECK(causes.front().name.starts_with(name));
+  }
 }
 
 TEST_CASE("Judge: pairs rounded to floats have their own truth; in the plane every z is 0") {
@@ -152,11 +198,12 @@ TEST_CASE("Judge: a cause is named where one is planted", "[full][unsanitized]")
       {"order_ab", "what comes after the first 4 points of b is not looked at"},
       {"order_points", "the last point of a and of b is not looked at"},
       {"floats", "it computes in floats"},
-      {"depth", "it compares boxes along the axes"}};
+      {"depth", "it compares boxes along the axes"},
+      {"hollow", "a set inside the other is taken for apart"}};
   for (const auto& [fault, name] : expected) {
     INFO(fault);
     const AskedProgram asked = planted(fault);
-    const Judgement found = judge(asked, cases_of(kept(), families_of_points(), 100, 1, {}), {}, 10, [](auto, auto) {});
+    const Judgement found = judged_on_all(asked);
     const std::vector<Cause> causes = probable_causes(asked, found, {});
     REQUIRE_FALSE(causes.empty());
     CHECK(causes.front().name.starts_with(name));
