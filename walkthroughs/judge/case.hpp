@@ -47,7 +47,7 @@ class Cases {
 
   /// At most so many; at the end none. Errors: those of truth_of().
   std::vector<Case> next(std::size_t count);
-  std::uint64_t most() const { return most_; }                ///< that may come
+  std::uint64_t most() const { return most_; }                ///< that may come; 0 where nobody knows
   std::uint64_t passed_over() const { return passed_over_; }  ///< of which floats have no room for
 
  private:

@@ -195,6 +195,7 @@ Judgement judge(const AskedProgram& program, Cases cases, const Standard& standa
   Hearing hearing(standard, worst);
   for (std::uint64_t done = 0; !hearing.is_over();) {
     const std::vector<Case> some = cases.next(block);
+    if (some.empty() && cases.most() == 0) progress(done, done);  // now it is known
     if (some.empty()) break;
     std::vector<std::string> questions;
     for (const Case& each : some) questions.push_back(question_line({each.pair.a, each.pair.b}));

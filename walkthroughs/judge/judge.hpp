@@ -92,7 +92,7 @@ struct Judgement {
   bool is_good() const;  ///< and nothing is wrong
 };
 
-/// `progress`: is told how many of how many are done. Errors: those of run_program() and of Cases.
+/// `progress`: is told how many of how many are done, of 0 where that is not known yet. Errors: those of run_program() and of Cases.
 Judgement judge(const AskedProgram& program, Cases cases, const Standard& standard, std::size_t worst,
                 const std::function<void(std::uint64_t done, std::uint64_t most)>& progress);
 

@@ -24,6 +24,7 @@
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/pairs/families.hpp"
 #include "walkthroughs/pairs/graded.hpp"
+#include "walkthroughs/pairs/pair_file.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
@@ -57,11 +58,12 @@ Families: )" +
          joined(names_of_families(), ", ", [](const std::string& each) { return each; }) + ".";
 }
 
-/// How far it has come, in place, on a terminal.
+/// How far it has come, in place, on a terminal. Where an error ends it, that takes the place.
 void show_progress(std::uint64_t done, std::uint64_t most) {
   if (::isatty(STDERR_FILENO) != 1) return;
-  std::fprintf(stderr, "\r%llu of %llu pairs%s", static_cast<unsigned long long>(done),
-               static_cast<unsigned long long>(most), done < most ? "" : "\n");
+  const std::string of_all = most > 0 ? " of " + std::to_string(most) : "";
+  std::fprintf(stderr, "%llu%s pairs\r%s", static_cast<unsigned long long>(done), of_all.c_str(),
+               done == most ? "\n" : "");
 }
 
 struct JudgeCommand {
@@ -124,12 +126,14 @@ std::vector<const Family*> families_called(const std::vector<std::string>& names
 
 judge::Cases JudgeCommand::cases() const {
   if (pairs) {
-    const std::vector<NamedPair> all = pairs::read_pairs(read_text(*pairs, largest_file), called(*pairs));
-    for (const NamedPair& each : all)
-      if (!is_of_points(each))
-        throw InputError(called(*pairs) + ": " + printable(each.name) +
+    const auto next = [file = std::make_shared<pairs::PairFile>(*pairs), from = called(*pairs)] {
+      std::optional<NamedPair> pair = file->next();
+      if (pair && !is_of_points(*pair))
+        throw InputError(from + ": " + printable(pair->name) +
                          " has a round shape; a program is asked about points only");
-    return judge::cases_of(all, {}, 0, seed, expected());
+      return pair;
+    };
+    return {next, 0, expected()};
   }
   std::vector<NamedPair> kept = makes_pairs ? std::vector<NamedPair>() : pairs::kept_pairs();
   std::erase_if(kept, [](const NamedPair& each) { return !is_of_points(each); });
