@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -67,7 +69,7 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
                   .a = gjk::PointSet<double>(pair.a),
                   .b = gjk::PointSet<double>(pair.b),
                   .directions = {},
-                  .is_wrong = is_wrong(each.verdict) || each.verdict == Verdict::within_tolerance,
+                  .is_wrong = false,
                   .touches = touches,
                   .one_is_inside = meet && !touches && one_is_inside(pair, in_plane),
                   .right = right_answer(each.asked, standard),
@@ -77,6 +79,7 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
       sample.directions.push_back(start(pair));
       sample.runs.push_back(ask_faithfully(sample.a, sample.b, sample.directions.back()));
     }
+    sample.is_wrong = !sample.is_right(sample.says_yes());
     sample.is_clear = !sample.misleads_the_report() && is_clear(each, in_plane);
     samples.push_back(std::move(sample));
   }
@@ -85,6 +88,12 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
 
 constexpr std::size_t enough_wrong = 3;   // fewer may be so by chance
 constexpr double enough_of_limit = 0.95;  // whoever fails at many simplices looks a little like it
+
+/// Of the samples that a program with some fault, or this one, answers wrongly, those that both do.
+struct Overlap {
+  std::size_t both = 0, either = 0;
+  double share() const { return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either); }
+};
 
 class Search {
  public:
@@ -121,12 +130,6 @@ class Search {
   }
 
   // -- Predictions ----------------------------------------------------------------------------------------------------
-
-  /// Of the samples that a program with this fault, or this one, answers wrongly, those that both do.
-  struct Overlap {
-    std::size_t both = 0, either = 0;
-    double share() const { return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either); }
-  };
 
   /// Only samples count in which rounding does not decide.
   template <class SaysYes>
@@ -418,10 +421,89 @@ class Search {
   std::vector<Cause> causes_;
 };
 
+// -- Distances ----------------------------------------------------------------------------------------------------------
+
+/// Those that rounding in floats leaves.
+std::string digits_of(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.7g", x);
+  return text;
+}
+
+double between_nearest_vertices(const PointPair& pair) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec& p : pair.a)
+    for (const Vec& q : pair.b) least = std::min(least, (p - q).stableNorm());
+  return least;
+}
+
+double between_boxes(const PointPair& pair) {
+  const auto middle = [](const Points& points) {
+    Vec least = points[0], most = points[0];
+    for (const Vec& p : points) {
+      least = least.cwiseMin(p);
+      most = most.cwiseMax(p);
+    }
+    return Vec(least / 2 + most / 2);
+  };
+  return (middle(pair.a) - middle(pair.b)).stableNorm();
+}
+
+/// A wrong distance is explained where what is predicted is as wrong, up to a hundredth.
+std::vector<Cause> causes_of_distances(const Judgement& judgement, const Standard& standard) {
+  const double good = good_distance(standard.expected.numbers);
+  std::vector<const Judged*> told;
+  std::vector<double> ratios;
+  for (const Judged& each : judgement.samples) {
+    if (!each.distance || !(each.how_far.length > 0) || !std::isfinite(each.how_far.length)) continue;
+    told.push_back(&each);
+    if (how_wrong(each) > good) ratios.push_back(*each.distance / each.how_far.length);
+  }
+  std::vector<Cause> causes;
+  const auto predict = [&](const std::string& name, const std::string& how, const auto& distance_of) {
+    Overlap overlap;
+    for (const Judged* const each : told) {
+      Judged predicted = *each;
+      predicted.distance = distance_of(*each);
+      const bool is_wrong = how_wrong(*each) > good;
+      overlap.both += is_wrong && std::abs(*predicted.distance - *each->distance) <=
+                                      0.01 * std::abs(*each->distance - each->how_far.length);
+      overlap.either += is_wrong || how_wrong(predicted) > good;
+    }
+    if (overlap.share() >= enough_agreement)
+      causes.push_back({name,
+                        how + ": " + of(overlap.both, overlap.either) + " distances that it or the program gets wrong",
+                        overlap.share()});
+  };
+  predict("it tells the square of the distance", "that",
+          [](const Judged& each) { return each.how_far.length * each.how_far.length; });
+  if (!ratios.empty()) {
+    std::ranges::nth_element(ratios, ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2));
+    const double ratio = ratios[ratios.size() / 2];
+    predict("it tells " + digits_of(ratio) + " times the distance", "that",
+            [ratio](const Judged& each) { return ratio * each.how_far.length; });
+  }
+  predict("it tells the distance between the nearest vertices", "that",
+          [](const Judged& each) { return between_nearest_vertices(each.asked.pair); });
+  predict("it tells the distance between the centers", "the means of the points",
+          [](const Judged& each) { return (mean_of(each.asked.pair.a) - mean_of(each.asked.pair.b)).stableNorm(); });
+  predict("it tells the distance between the centers", "the middles of the boxes",
+          [](const Judged& each) { return between_boxes(each.asked.pair); });
+  std::ranges::stable_sort(causes, std::greater(), &Cause::agreement);
+  return causes;
+}
+
 }  // namespace
 
 std::vector<Cause> probable_causes(const AskedProgram& program, const Judgement& judgement, const Standard& standard) {
-  return Search(program, judgement, standard).go();
+  const Tally& all = judgement.all;
+  std::vector<Cause> causes, of_distances;
+  if (all.of(Verdict::wrong_distance) >= enough_wrong) of_distances = causes_of_distances(judgement, standard);
+  if (all.of(Verdict::wrong_yes) + all.of(Verdict::wrong_no) + all.of(Verdict::within_tolerance) >= enough_wrong)
+    causes = Search(program, judgement, standard).go();
+  const bool are_mostly_distances = 2 * all.of(Verdict::wrong_distance) > all.wrong();
+  causes.insert(are_mostly_distances ? causes.begin() : causes.end(), of_distances.begin(), of_distances.end());
+  return causes;
 }
 
 }  // namespace walkthroughs::judge

@@ -28,6 +28,23 @@ double diagonal_of(const PointPair& pair) {
   return (most - least).stableNorm();
 }
 
+/// A pair times a power of two, so that no difference overflows.
+struct Scaled {
+  PointPair pair;
+  int power = 0;  ///< it is 2^-power times as large
+  double diagonal = 0;
+
+  explicit Scaled(PointPair original) : pair(std::move(original)) {
+    const double most = largest_number(pair);
+    if (most == 0) return;
+    power = std::ilogb(most) + 2;
+    for (Points* const set : {&pair.a, &pair.b})
+      for (Vec& p : *set)
+        for (double& x : p) x = std::scalbn(x, -power);
+    diagonal = diagonal_of(pair);
+  }
+};
+
 /// Returns: the pair of size 1, about 0, so that no product overflows or vanishes.
 PointPair of_size_one(const PointPair& pair, double diagonal) {
   PointPair scaled = pair;
@@ -172,23 +189,21 @@ PlanesBetween planes_between(const PointPair& pair) {
 }  // namespace
 
 HowFar how_far(const Case& asked, bool in_plane) {
-  // Scaled by a power of two, so that no difference overflows.
-  const double most = largest_number(asked.pair);
-  if (most == 0) return {};
-  const int power = std::ilogb(most) + 2;
-  PointPair pair = asked.pair;
-  for (Points* const set : {&pair.a, &pair.b})
-    for (Vec& p : *set)
-      for (double& x : p) x = std::scalbn(x, -power);
-  const double diagonal = diagonal_of(pair);
-  if (diagonal == 0) return {};
+  const Scaled scaled(asked.pair);
+  if (scaled.diagonal == 0) return {};
   if (!asked.meet()) {
-    const double gap = gap_of(pair);
-    return {std::scalbn(gap, power), gap / diagonal, false};
+    const double gap = gap_of(scaled.pair);
+    return {std::scalbn(gap, scaled.power), gap / scaled.diagonal, false};
   }
   if (only_touch(asked.pair, in_plane)) return {};
-  const double depth = std::max(0.0, shallowest(of_size_one(pair, diagonal), in_plane).depth);
-  return {std::scalbn(depth * diagonal, power), depth, !are_few(pair)};
+  const double depth = std::max(0.0, shallowest(of_size_one(scaled.pair, scaled.diagonal), in_plane).depth);
+  return {std::scalbn(depth * scaled.diagonal, scaled.power), depth, !are_few(asked.pair)};
+}
+
+double relative_to_size(double length, const PointPair& pair) {
+  const Scaled scaled(pair);
+  if (scaled.diagonal == 0) return 0;
+  return std::min(std::scalbn(length, -scaled.power) / scaled.diagonal, std::numeric_limits<double>::max());
 }
 
 bool only_touch(const PointPair& pair, bool in_plane) {

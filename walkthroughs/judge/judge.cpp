@@ -13,7 +13,7 @@ namespace walkthroughs::judge {
 namespace {
 
 constexpr std::size_t block = 1024;               // cases in memory at once
-constexpr std::size_t most_samples_of_kind = 30;  // of each family, right or wrong
+constexpr std::size_t most_samples_of_kind = 30;  // of each family: right, wrong, or of a wrong distance
 constexpr std::size_t most_failed = 10;
 
 Verdict verdict_on(Reply::Kind kind) {
@@ -55,17 +55,16 @@ bool is_everyday(const Judged& each) {
 }
 
 /// Of two powers of ten one class.
-int class_of(const HowFar& far) {
-  return far.relative > 0 ? static_cast<int>(std::floor(std::log10(far.relative) / 2)) : -1000;
-}
+int class_of(double wrong) { return wrong > 0 ? static_cast<int>(std::floor(std::log10(wrong) / 2)) : -1000; }
 
 /// Everyday numbers first, and of these the worst; of some as bad, that of fewest points, which is easiest to follow.
 bool is_worse(const Judged& one, const Judged& other) {
   if (is_everyday(one) != is_everyday(other)) return is_everyday(one);
   const auto size = [](const Judged& each) { return each.asked.pair.a.size() + each.asked.pair.b.size(); };
-  if (class_of(one.how_far) != class_of(other.how_far)) return class_of(one.how_far) > class_of(other.how_far);
+  const double wrong_one = how_wrong(one), wrong_other = how_wrong(other);
+  if (class_of(wrong_one) != class_of(wrong_other)) return class_of(wrong_one) > class_of(wrong_other);
   if (size(one) != size(other)) return size(one) < size(other);
-  return one.how_far.relative > other.how_far.relative;
+  return wrong_one > wrong_other;
 }
 
 /// What happened in one block beside what happened before.
@@ -117,7 +116,8 @@ class Hearing {
     if (is_fault(each.verdict) || each.false_evidence) judgement_.faults.push_back(fault_line(each));
     if (is_fault(each.verdict) && !is_answer && judgement_.failed.size() < most_failed)
       judgement_.failed.push_back(each);
-    if (is_answer && samples_[{each.asked.family, is_wrong(each.verdict)}]++ < most_samples_of_kind)
+    const int kind = each.verdict == Verdict::wrong_distance ? 2 : is_wrong(each.verdict) ? 1 : 0;
+    if (is_answer && samples_[{each.asked.family, kind}]++ < most_samples_of_kind)
       judgement_.samples.push_back(std::move(each));
   }
 
@@ -129,11 +129,16 @@ class Hearing {
 
   Standard standard_;
   std::size_t most_worst_;
-  std::map<std::pair<std::string, bool>, std::size_t> samples_;
+  std::map<std::pair<std::string, int>, std::size_t> samples_;
   Judgement judgement_;
 };
 
 }  // namespace
+
+double how_wrong(const Judged& judged) {
+  const double right = judged.how_far.relative;
+  return judged.distance ? std::abs(relative_to_size(*judged.distance, judged.asked.pair) - right) : right;
+}
 
 std::uint64_t Tally::faults() const {
   std::uint64_t sum = false_evidence;
@@ -145,7 +150,7 @@ void Tally::add(const Judged& judged) {
   ++pairs;
   ++counts[static_cast<std::size_t>(judged.verdict)];
   false_evidence += judged.false_evidence;
-  if (is_wrong(judged.verdict)) worst = std::max(worst, judged.how_far.relative);
+  if (is_wrong(judged.verdict)) worst = std::max(worst, how_wrong(judged));
 }
 
 bool Judgement::is_good() const { return all.faults() == 0 && behaves(); }
@@ -181,12 +186,17 @@ Judged judged(const Case& asked, const Reply& reply, const Standard& standard) {
   judged.verdict = verdict_on(asked, answer.said, standard);
   judged.detail = answer.why;
   judged.false_evidence = judged.verdict == Verdict::right && answer.evidence == Evidence::proves_nothing;
-  if (!is_wrong(judged.verdict)) return judged;
+  if (judged.verdict == Verdict::right && answer.said == Said::separated && !asked.meet() &&
+      answer.distance.value_or(0) > 0)
+    judged.distance = answer.distance;
+  if (!is_wrong(judged.verdict) && !judged.distance) return judged;
   judged.how_far = how_far(asked, standard.expected.in_plane);
   // Of surfaces alone, a move into the other set may be shorter than the one out of it that is measured.
   if (asked.meet() && standard.inside != Called::intersecting) judged.how_far.is_bound = judged.how_far.length > 0;
-  if (judged.how_far.relative <= standard.tolerance && standard.tolerance > 0)
-    judged.verdict = Verdict::within_tolerance;
+  const double wrong = how_wrong(judged);
+  if (judged.distance && wrong <= good_distance(standard.expected.numbers)) return judged;
+  if (judged.distance) judged.verdict = Verdict::wrong_distance;
+  if (wrong <= standard.tolerance && standard.tolerance > 0) judged.verdict = Verdict::within_tolerance;
   return judged;
 }
 

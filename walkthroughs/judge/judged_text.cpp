@@ -26,9 +26,9 @@ std::string count(std::uint64_t number, const std::string& one, const std::strin
 }
 
 /// Three digits are enough.
-std::string size_text(double x) {
+std::string size_text(double x, int digits = 3) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
   return text;
 }
 
@@ -67,6 +67,15 @@ std::string how_far_in_words(const Judged& each) {
          (meet ? " of their size deep in each other" : " of their size");
 }
 
+/// Of a distance as many digits as show that it is wrong, of which three are enough otherwise.
+std::string said_in_words(const Judged& each) {
+  if (!each.distance) return each.said == Said::intersecting ? "yes" : "no";
+  const double said = relative_to_size(*each.distance, each.asked.pair);
+  int digits = 3;
+  while (digits < 17 && size_text(said, digits) == size_text(each.how_far.relative, digits)) ++digits;
+  return size_text(said, digits);
+}
+
 /// A pair without an answer says more than a wrong one.
 const Judged* shown_pair(const Judgement& found) {
   return !found.failed.empty() ? &found.failed.front() : !found.worst.empty() ? &found.worst.front() : nullptr;
@@ -79,8 +88,7 @@ std::string worst_line(const Report& report) {
   if (!is_wrong(shown->verdict))
     return "first without an answer: " + name + ": " +
            (shown->detail.empty() ? word(shown->verdict) : message_line(shown->detail)) + "\n";
-  return "worst: " + name + ": " + how_far_in_words(*shown) + ", and it says " +
-         (shown->said == Said::intersecting ? "yes" : "no") + "\n";
+  return "worst: " + name + ": " + how_far_in_words(*shown) + ", and it says " + said_in_words(*shown) + "\n";
 }
 
 std::string command(const Report& report, const std::string& more) {
@@ -185,9 +193,10 @@ Json json_of(const Tally& tally) {
 Json json_of(const Judged& each) {
   Json pair = {{"name", each.asked.name}, {"family", each.asked.family}, {"verdict", word(each.verdict)}};
   if (is_wrong(each.verdict)) {
-    pair["relative"] = each.how_far.relative;
+    pair["relative"] = how_wrong(each);
     pair["length"] = each.how_far.length;
     pair["at_most"] = each.how_far.is_bound;
+    if (each.distance) pair["distance"] = *each.distance;
   }
   if (!each.detail.empty()) pair["detail"] = printable(each.detail);
   pair.update(Json::parse(question_line({each.asked.pair.a, each.asked.pair.b})));
@@ -212,8 +221,8 @@ std::vector<std::string> Accepted::news(const Judgement& judgement) const {
 std::optional<std::string> why_not_judged(const Judgement& judgement) {
   const Replies& replies = judgement.replies;
   const auto of = [&](Verdict verdict) { return judgement.all.of(verdict); };
-  const std::uint64_t answered = of(Verdict::right) + of(Verdict::within_tolerance) + of(Verdict::wrong_yes) +
-                                 of(Verdict::wrong_no) + of(Verdict::undecided) + of(Verdict::not_a_number);
+  const std::uint64_t answered = of(Verdict::right) + of(Verdict::within_tolerance) + judgement.all.wrong() +
+                                 of(Verdict::undecided) + of(Verdict::not_a_number);
   const std::string first = judgement.failed.empty() ? ""
                                                      : " (" + judgement.failed.front().asked.name + ": " +
                                                            judgement.failed.front().detail + ")";
@@ -240,9 +249,11 @@ std::string first_screen(const Report& report) {
 }
 
 std::string table(const Report& report) {
-  std::string text =
-      "| family | pairs | wrong yes | wrong no | undecided | no answer | how far at most "
-      "|\n|---|---|---|---|---|---|---|\n";
+  const bool has_distances = report.judgement.all.of(Verdict::wrong_distance) > 0;
+  const auto of_distances = [has_distances](const std::string& cell) { return has_distances ? cell + " | " : ""; };
+  std::string text = "| family | pairs | wrong yes | wrong no | " + of_distances("wrong distance") +
+                     "undecided | no answer | how far at most |\n|---|---|---|---|" + (has_distances ? "---|" : "") +
+                     "---|---|---|\n";
   std::vector<Tally> rows = report.judgement.families;
   rows.push_back(report.judgement.all);
   for (const Tally& row : rows) {
@@ -250,7 +261,8 @@ std::string table(const Report& report) {
     std::string name = message_line(row.family);
     std::ranges::replace(name, '|', '/');
     text += "| " + name + " | " + count(row.pairs) + " | " + count(row.of(Verdict::wrong_yes)) + " | " +
-            count(row.of(Verdict::wrong_no)) + " | " + count(row.of(Verdict::undecided)) + " | " + count(none) + " | " +
+            count(row.of(Verdict::wrong_no)) + " | " + of_distances(count(row.of(Verdict::wrong_distance))) +
+            count(row.of(Verdict::undecided)) + " | " + count(none) + " | " +
             (row.wrong() > 0 ? size_text(row.worst) : "") + " |\n";
   }
   return text;

@@ -52,6 +52,7 @@ Without --families, --count and --pairs it is asked about the kept pairs (publis
 show, needles, contact, 1e+-100) and about 100 of each family. The truth of each is the certified answer, its certificate
 multiplied out in fractions. The same seed makes the same pairs.
 How wrong an answer is: how far the sets would have to be moved to make it right, relative to the diagonal of the box around both.
+A distance of sets that are apart is wrong where it is off by more than 1e-6 of that (1e-4 with --numbers float), and --tolerance.
 Exit codes: 0 all is right (or, with --accept, nothing is newly wrong), 1 something is not, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be read, or a program
 that does not answer, 5 cannot write.
 Families: )" +

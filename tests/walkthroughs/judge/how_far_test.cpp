@@ -1,6 +1,7 @@
 #include "walkthroughs/judge/how_far.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "tests/kit/catch.hpp"
 #include "walkthroughs/pairs/families.hpp"
@@ -72,6 +73,16 @@ TEST_CASE("Contact is decided exactly: all that touch do, and by one unit in the
     }
   CHECK(only_touch({{{1, 2, 3}}, {{1, 2, 3}}}, false));
   CHECK(only_touch({{{0, 0, 0}, {1, 1, 1}}, {{-1, -1, -1}, {0.5, 0.5, 0.5}}}, false));  // along one line
+}
+
+TEST_CASE("How far: a length relative to the size is finite, also where the length or the size is beyond doubles") {
+  constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+  CHECK(relative_to_size(2, {{{0, 0, 0}}, {{3, 4, 0}}}) == Approx(0.4));
+  CHECK(relative_to_size(most, {{{-most, 0, 0}}, {{most, 0, 0}}}) == Approx(0.5));
+  CHECK(relative_to_size(2 * least, {{{0, 0, 0}}, {{4 * least, 0, 0}}}) == Approx(0.5));
+  CHECK(relative_to_size(most, {{{0, 0, 0}}, {{least, 0, 0}}}) == most);
+  CHECK(relative_to_size(least, {{{0, 0, 0}}, {{most, 0, 0}}}) < 1e-300);
+  CHECK(relative_to_size(least, {{{most, 0, 0}}, {{most, least, 0}}}) == 0);  // which is all that can be said
 }
 
 /// Below the plane w = 0 of a frame along none of the axes, of whole numbers; 49 of its points in that plane.

@@ -124,6 +124,69 @@ TEST_CASE("Judge: what sets inside each other are called changes no other cause"
   }
 }
 
+// -- Distances ----------------------------------------------------------------------------------------------------------
+
+Judgement judged_by_distances(const std::string& fault, const Standard& standard = {}) {
+  return judge(program({"env", "FAULT=" + fault, JUDGED_DISTANCES}),
+               cases_of(kept(), families_of_points(), 10, 1, standard.expected), standard, 10, [](auto, auto) {});
+}
+
+TEST_CASE("Judge: true distances are right, of all kept pairs and families") {
+  CHECK(judged_by_distances("none").is_good());
+  CHECK(judged_by_distances("none", {.expected = {.numbers = Numbers::floats}}).is_good());
+}
+
+TEST_CASE(
+    "Judge: a distance is wrong where it is off by more than rounding, and more than the tolerance, of the size") {
+  const Case asked{"pair", "pairs", {{{0, 0, 0}}, {{3, 0, 0}, {3, 4, 0}}}, gjk::Status::separated};  // of size 5
+  const auto verdict = [&](const std::string& line, const Standard& standard = {}) {
+    return judged(asked, {Reply::line, line}, standard).verdict;
+  };
+  CHECK(verdict("distance 3") == Verdict::right);
+  CHECK(verdict("distance 3.000004") == Verdict::right);
+  CHECK(verdict("distance 2.999996") == Verdict::right);
+  CHECK(verdict("distance 3.000006") == Verdict::wrong_distance);
+  CHECK(verdict("distance 2.999994") == Verdict::wrong_distance);
+  CHECK(verdict(R"({"status":"separated","distance":4})") == Verdict::wrong_distance);
+  CHECK(verdict("no") == Verdict::right);
+  CHECK(verdict(R"({"status":"separated","distance":-1})") == Verdict::right);  // as who knows none says it
+  CHECK(verdict("distance 0") == Verdict::wrong_yes);
+  const Standard floats{.expected = {.numbers = Numbers::floats}};
+  CHECK(verdict("distance 3.0004", floats) == Verdict::right);
+  CHECK(verdict("distance 3.0006", floats) == Verdict::wrong_distance);
+  CHECK(verdict("distance 3.04", {.tolerance = 0.01}) == Verdict::within_tolerance);
+  CHECK(verdict("distance 3.06", {.tolerance = 0.01}) == Verdict::wrong_distance);
+  CHECK(how_wrong(judged(asked, {Reply::line, "distance 4"}, {})) == Approx(0.2));
+  const Case together{"pair", "pairs", {{{0, 0, 0}}, {{0, 0, 0}}}, gjk::Status::intersecting};
+  CHECK(judged(together, {Reply::line, "distance 4"}, {}).verdict == Verdict::wrong_no);
+}
+
+TEST_CASE("Judge: who tells wrong distances is told which they are, of the worst by how much, and in a column") {
+  for (const auto& [fault, name] : {std::pair{"squared", "it tells the square of the distance"},
+                                    std::pair{"scaled", "it tells 2.5 times the distance"},
+                                    std::pair{"vertices", "it tells the distance between the nearest vertices"},
+                                    std::pair{"means", "it tells the distance between the centers"},
+                                    std::pair{"boxes", "it tells the distance between the centers"}}) {
+    INFO(fault);
+    const Judgement found = judged_by_distances(fault);
+    CHECK(found.all.of(Verdict::wrong_distance) > 100);
+    CHECK(found.all.of(Verdict::wrong_distance) == found.all.faults());
+    const std::vector<Cause> causes = probable_causes(program({"false"}), found, {});
+    REQUIRE_FALSE(causes.empty());
+    CHECK(causes.front().name == name);
+    CHECK(causes.size() <= 2);  // of points centers and vertices are the same
+  }
+  const Judgement noise = judged_by_distances("noise");
+  CHECK(noise.all.of(Verdict::wrong_distance) > 100);
+  CHECK(probable_causes(program({"false"}), noise, {}).empty());
+  CHECK(judged_by_distances("little").is_good());
+  const std::string screen = first_screen({"./mine", "", noise, {}});
+  for (const char* const part : {" wrong distance\nworst: ", ": they are apart by ", " of their size, and it says 0."})
+    CHECK(screen.find(part) != std::string::npos);
+  CHECK(table({"./mine", "", noise, {}}).find("| wrong no | wrong distance | undecided |") != std::string::npos);
+  CHECK(noise.faults.front().starts_with("wrong distance "));
+}
+
 TEST_CASE("Judge: pairs rounded to floats have their own truth; in the plane every z is 0") {
   const Expected floats{.numbers = Numbers::floats}, plane{.in_plane = true};
   Cases rounded = cases_of(kept(), {}, 0, 1, floats), flat = cases_of(kept(), {}, 0, 1, plane);
