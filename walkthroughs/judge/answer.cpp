@@ -186,6 +186,7 @@ ProgramAnswer answer_in(const Value& root, const Pair& pair) {
     const std::string complaint = complaint_in(root);
     answer.why = !complaint.empty() ? complaint : status ? "a status that is not known" : "no \"status\"";
   } else {
+    if (distance && distance->is(Kind::number)) answer.distance = distance->number();
     answer.evidence = evidence_beside(root, answer.said, pair);
   }
   return answer;

@@ -4,7 +4,7 @@
 ///     no           they are apart; also false, or 'separated'
 ///     undecided
 ///     distance 2   that they are apart by; of 0 they intersect
-///     {"status":"separated"}   or another of these words, or {"distance":2}; as `gjkstep query`, which says more
+///     {"status":"separated"}   or another of these words, or {"distance":2}, or both; as `gjkstep query`, which says more
 ///
 /// Any other line is no answer. Capitals and quotes do not matter.
 ///
@@ -26,9 +26,9 @@ enum class Evidence { none, holds, proves_nothing };
 
 struct ProgramAnswer {
   Said said = Said::nothing;
-  Evidence evidence = Evidence::none;  ///< whether it proves what was said
-  std::optional<double> distance = {};
-  std::string why = {};  ///< why a line of JSON is no answer
+  Evidence evidence = Evidence::none;   ///< whether it proves what was said
+  std::optional<double> distance = {};  ///< finite
+  std::string why = {};                 ///< why a line of JSON is no answer
 };
 
 /// Returns: whether the line is meant as an answer: what else a program prints is not counted.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/certificate.hpp"
 #include "core/result.hpp"
 #include "walkthroughs/pairs/family.hpp"
 #include "walkthroughs/pairs/named_pair.hpp"
@@ -22,7 +23,8 @@ struct Case {
 };
 
 /// Returns: the certified answer. Its certificate is multiplied out in fractions. Errors: std::logic_error where it does not hold.
-gjk::Status truth_of(const PointPair& pair);
+gjk::CertifiedResult proven_answer(const PointPair& pair);
+inline gjk::Status truth_of(const PointPair& pair) { return proven_answer(pair).status; }
 
 enum class Numbers { doubles, floats };
 
@@ -45,7 +47,7 @@ class Cases {
 
   /// At most so many; at the end none. Errors: those of truth_of().
   std::vector<Case> next(std::size_t count);
-  std::uint64_t most() const { return most_; }                ///< that may come
+  std::uint64_t most() const { return most_; }                ///< that may come; 0 where nobody knows
   std::uint64_t passed_over() const { return passed_over_; }  ///< of which floats have no room for
 
  private:

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -24,10 +26,10 @@ struct Sample {
   gjk::PointSet<double> a, b;
   std::vector<Vec> directions;  ///< one for each of starts()
   bool is_wrong;
-  bool touches;
-  bool expected, may_be_either;  ///< the right answer
-  bool is_clear;                 ///< neither rounding, be it to floats, nor a cycle decides
-  std::vector<Run> runs;         ///< of the report's algorithm, one for each of starts()
+  bool touches, one_is_inside;
+  Called right;           ///< the answer
+  bool is_clear;          ///< neither rounding, be it to floats, nor a cycle decides
+  std::vector<Run> runs;  ///< of the report's algorithm, one for each of starts()
   bool misleads_the_report() const {
     return std::ranges::any_of(runs,
                                [&](const Run& run) { return (run.status == gjk::Status::intersecting) != meet(); });
@@ -35,7 +37,9 @@ struct Sample {
 
   bool says_yes() const { return judged->said == Said::intersecting; }
   bool meet() const { return judged->asked.meet(); }
-  bool is_right(bool says_yes) const { return may_be_either || says_yes == expected; }
+  bool is_right(bool says_yes) const { return right == Called::either || says_yes == (right == Called::intersecting); }
+  /// What a program says that finds this, and calls sets one of which is inside the other what they are to be called.
+  bool says_yes_where(bool they_meet) const { return they_meet && !(one_is_inside && right == Called::separated); }
 };
 
 constexpr double near_contact = 1e-5;  // relative to the largest number
@@ -65,16 +69,17 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
                   .a = gjk::PointSet<double>(pair.a),
                   .b = gjk::PointSet<double>(pair.b),
                   .directions = {},
-                  .is_wrong = is_wrong(each.verdict) || each.verdict == Verdict::within_tolerance,
+                  .is_wrong = false,
                   .touches = touches,
-                  .expected = meet && !(touches && standard.touching == Touching::separated),
-                  .may_be_either = touches && standard.touching == Touching::either,
+                  .one_is_inside = meet && !touches && one_is_inside(pair, in_plane),
+                  .right = right_answer(each.asked, standard),
                   .is_clear = false,
                   .runs = {}};
     for (const Start& start : starts()) {
       sample.directions.push_back(start(pair));
       sample.runs.push_back(ask_faithfully(sample.a, sample.b, sample.directions.back()));
     }
+    sample.is_wrong = !sample.is_right(sample.says_yes());
     sample.is_clear = !sample.misleads_the_report() && is_clear(each, in_plane);
     samples.push_back(std::move(sample));
   }
@@ -83,6 +88,12 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
 
 constexpr std::size_t enough_wrong = 3;   // fewer may be so by chance
 constexpr double enough_of_limit = 0.95;  // whoever fails at many simplices looks a little like it
+
+/// Of the samples that a program with some fault, or this one, answers wrongly, those that both do.
+struct Overlap {
+  std::size_t both = 0, either = 0;
+  double share() const { return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either); }
+};
 
 class Search {
  public:
@@ -120,12 +131,6 @@ class Search {
 
   // -- Predictions ----------------------------------------------------------------------------------------------------
 
-  /// Of the samples that a program with this fault, or this one, answers wrongly, those that both do.
-  struct Overlap {
-    std::size_t both = 0, either = 0;
-    double share() const { return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either); }
-  };
-
   /// Only samples count in which rounding does not decide.
   template <class SaysYes>
   Overlap overlap_with(const SaysYes& says_yes) const {
@@ -144,16 +149,17 @@ class Search {
   }
 
   template <class SaysYes>
-  void predict(const std::string& name, const std::string& how, const SaysYes& says_yes) {
+  void predict(const std::string& name, const std::string& how, const SaysYes& says_yes,
+               const std::string& option = "") {
     const Overlap overlap = overlap_with(says_yes);
-    causes_.push_back({name, how + ": " + words_of(overlap), overlap.share()});
+    causes_.push_back({name, how + ": " + words_of(overlap), overlap.share(), "", option});
   }
 
   template <class Change>
   void predict_after(const std::string& name, const std::string& how, const Change& change) {
     predict(name, how, [&](const Sample& each) {
       PointPair pair = each.judged->asked.pair;
-      return change(pair) ? truth_of(pair) == gjk::Status::intersecting : each.meet();
+      return each.says_yes_where(change(pair) ? truth_of(pair) == gjk::Status::intersecting : each.meet());
     });
   }
 
@@ -164,7 +170,10 @@ class Search {
     if (says(true)) predict("it always says yes", "that answer", [](const Sample&) { return true; });
     if (says(false)) predict("it always says no", "that answer", [](const Sample&) { return false; });
     predict("contact is taken for a miss", "'no' to all that only touch",
-            [](const Sample& each) { return each.meet() && !each.touches; });
+            [](const Sample& each) { return each.says_yes_where(each.meet()) && !each.touches; });
+    predict(
+        "a set inside the other is taken for apart", "'no' where one lies inside the other",
+        [](const Sample& each) { return each.meet() && !each.one_is_inside; }, "--solid no");
     predict_after("z is ignored", "the truth with every z at 0", [](PointPair& pair) {
       for (Points* const set : {&pair.a, &pair.b})
         for (Vec& p : *set) p.z() = 0;
@@ -183,12 +192,14 @@ class Search {
       return true;
     });
     predict("contact is taken for an intersection", "'yes' to all that only touch",
-            [](const Sample& each) { return each.meet(); });
+            [](const Sample& each) { return each.says_yes_where(each.meet()); });
+    predict("a set inside the other is taken for an intersection", "'yes' where one lies inside the other",
+            [](const Sample& each) { return each.one_is_inside || each.right == Called::intersecting; });
     for (const auto& [most, where] :
          {std::pair{2, "a vertex or segment"}, std::pair{3, "a vertex, segment or triangle"}})
       predict(std::string("the origin is not seen on ") + where + ", as where a zero direction is normalized",
               "'no' where such a simplex holds it",
-              [most](const Sample& each) { return each.meet() && each.runs[0].vertices > most; });
+              [most](const Sample& each) { return each.says_yes_where(each.meet()) && each.runs[0].vertices > most; });
     look_at_parts();
   }
 
@@ -245,7 +256,8 @@ class Search {
     for (std::size_t start = 0; start < starts().size(); ++start) {
       for (int most = 1; most <= 30; ++most) {
         const Overlap found = overlap_with([&](const Sample& each) {
-          return each.runs[start].iterations <= most && each.runs[start].status == gjk::Status::intersecting;
+          return each.runs[start].iterations <= most &&
+                 each.says_yes_where(each.runs[start].status == gjk::Status::intersecting);
         });
         if (found.share() <= limited.share()) continue;
         limited = found;
@@ -253,7 +265,8 @@ class Search {
       }
       for (std::size_t m = 0; m < mistakes().size(); ++m) {
         const Overlap found = overlap_with([&](const Sample& each) {
-          return mistakes()[m].ask_from(each.directions[start], each.a, each.b).status == gjk::Status::intersecting;
+          return each.says_yes_where(mistakes()[m].ask_from(each.directions[start], each.a, each.b).status ==
+                                     gjk::Status::intersecting);
         });
         if (found.share() > mistaken[m].share()) mistaken[m] = found;
       }
@@ -408,10 +421,89 @@ class Search {
   std::vector<Cause> causes_;
 };
 
+// -- Distances ----------------------------------------------------------------------------------------------------------
+
+/// Those that rounding in floats leaves.
+std::string digits_of(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.7g", x);
+  return text;
+}
+
+double between_nearest_vertices(const PointPair& pair) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec& p : pair.a)
+    for (const Vec& q : pair.b) least = std::min(least, (p - q).stableNorm());
+  return least;
+}
+
+double between_boxes(const PointPair& pair) {
+  const auto middle = [](const Points& points) {
+    Vec least = points[0], most = points[0];
+    for (const Vec& p : points) {
+      least = least.cwiseMin(p);
+      most = most.cwiseMax(p);
+    }
+    return Vec(least / 2 + most / 2);
+  };
+  return (middle(pair.a) - middle(pair.b)).stableNorm();
+}
+
+/// A wrong distance is explained where what is predicted is as wrong, up to a hundredth.
+std::vector<Cause> causes_of_distances(const Judgement& judgement, const Standard& standard) {
+  const double good = good_distance(standard.expected.numbers);
+  std::vector<const Judged*> told;
+  std::vector<double> ratios;
+  for (const Judged& each : judgement.samples) {
+    if (!each.distance || !(each.how_far.length > 0) || !std::isfinite(each.how_far.length)) continue;
+    told.push_back(&each);
+    if (how_wrong(each) > good) ratios.push_back(*each.distance / each.how_far.length);
+  }
+  std::vector<Cause> causes;
+  const auto predict = [&](const std::string& name, const std::string& how, const auto& distance_of) {
+    Overlap overlap;
+    for (const Judged* const each : told) {
+      Judged predicted = *each;
+      predicted.distance = distance_of(*each);
+      const bool is_wrong = how_wrong(*each) > good;
+      overlap.both += is_wrong && std::abs(*predicted.distance - *each->distance) <=
+                                      0.01 * std::abs(*each->distance - each->how_far.length);
+      overlap.either += is_wrong || how_wrong(predicted) > good;
+    }
+    if (overlap.share() >= enough_agreement)
+      causes.push_back({name,
+                        how + ": " + of(overlap.both, overlap.either) + " distances that it or the program gets wrong",
+                        overlap.share()});
+  };
+  predict("it tells the square of the distance", "that",
+          [](const Judged& each) { return each.how_far.length * each.how_far.length; });
+  if (!ratios.empty()) {
+    std::ranges::nth_element(ratios, ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2));
+    const double ratio = ratios[ratios.size() / 2];
+    predict("it tells " + digits_of(ratio) + " times the distance", "that",
+            [ratio](const Judged& each) { return ratio * each.how_far.length; });
+  }
+  predict("it tells the distance between the nearest vertices", "that",
+          [](const Judged& each) { return between_nearest_vertices(each.asked.pair); });
+  predict("it tells the distance between the centers", "the means of the points",
+          [](const Judged& each) { return (mean_of(each.asked.pair.a) - mean_of(each.asked.pair.b)).stableNorm(); });
+  predict("it tells the distance between the centers", "the middles of the boxes",
+          [](const Judged& each) { return between_boxes(each.asked.pair); });
+  std::ranges::stable_sort(causes, std::greater(), &Cause::agreement);
+  return causes;
+}
+
 }  // namespace
 
 std::vector<Cause> probable_causes(const AskedProgram& program, const Judgement& judgement, const Standard& standard) {
-  return Search(program, judgement, standard).go();
+  const Tally& all = judgement.all;
+  std::vector<Cause> causes, of_distances;
+  if (all.of(Verdict::wrong_distance) >= enough_wrong) of_distances = causes_of_distances(judgement, standard);
+  if (all.of(Verdict::wrong_yes) + all.of(Verdict::wrong_no) + all.of(Verdict::within_tolerance) >= enough_wrong)
+    causes = Search(program, judgement, standard).go();
+  const bool are_mostly_distances = 2 * all.of(Verdict::wrong_distance) > all.wrong();
+  causes.insert(are_mostly_distances ? causes.begin() : causes.end(), of_distances.begin(), of_distances.end());
+  return causes;
 }
 
 }  // namespace walkthroughs::judge

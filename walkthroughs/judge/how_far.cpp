@@ -5,7 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <variant>
+#include <vector>
 
+#include "core/certified/check.hpp"
 #include "core/certified/dyadic.hpp"
 #include "walkthroughs/pairs/dice.hpp"
 #include "walkthroughs/pairs/graded.hpp"
@@ -13,8 +16,7 @@
 namespace walkthroughs::judge {
 namespace {
 
-constexpr std::size_t few_points = 24;   // points of a set, all of whose edges are looked at
-constexpr double nearly_touches = 1e-7;  // of the size: what touches is found no deeper in doubles
+constexpr std::size_t few_points = 24;  // points of a set, all of whose edges are looked at
 
 double diagonal_of(const PointPair& pair) {
   Vec least = pair.a[0], most = pair.a[0];
@@ -25,6 +27,23 @@ double diagonal_of(const PointPair& pair) {
     }
   return (most - least).stableNorm();
 }
+
+/// A pair times a power of two, so that no difference overflows.
+struct Scaled {
+  PointPair pair;
+  int power = 0;  ///< it is 2^-power times as large
+  double diagonal = 0;
+
+  explicit Scaled(PointPair original) : pair(std::move(original)) {
+    const double most = largest_number(pair);
+    if (most == 0) return;
+    power = std::ilogb(most) + 2;
+    for (Points* const set : {&pair.a, &pair.b})
+      for (Vec& p : *set)
+        for (double& x : p) x = std::scalbn(x, -power);
+    diagonal = diagonal_of(pair);
+  }
+};
 
 /// Returns: the pair of size 1, about 0, so that no product overflows or vanishes.
 PointPair of_size_one(const PointPair& pair, double diagonal) {
@@ -67,34 +86,13 @@ struct Shallowest {
   }
 };
 
-/// From one point of a set to another.
-struct Edge {
-  const Points* set;
-  std::size_t from, to;
-
-  Vec vector() const { return (*set)[to] - (*set)[from]; }
-};
-
-std::vector<Edge> edges_of(const PointPair& pair) {
-  std::vector<Edge> edges;
+/// From each point of a set to each other one.
+std::vector<Vec> edges_of(const PointPair& pair) {
+  std::vector<Vec> edges;
   for (const Points* const set : {&pair.a, &pair.b})
     for (std::size_t i = 0; i < set->size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) edges.push_back({set, i, j});
+      for (std::size_t j = 0; j < i; ++j) edges.push_back((*set)[i] - (*set)[j]);
   return edges;
-}
-
-/// A normal of two vectors; in the plane of the first alone.
-template <class V>
-V normal_of(const V& u, const V& v, bool in_plane) {
-  if (in_plane) return V{u[1], -u[0], u[0] - u[0]};
-  return V{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
-/// Calls use(u, v) with any two edges; in the plane with each one, twice.
-template <class Use>
-void for_each_two(const std::vector<Edge>& edges, bool in_plane, const Use& use) {
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::size_t j = in_plane ? i : 0; j < (in_plane ? i + 1 : i); ++j) use(edges[i], edges[j]);
 }
 
 /// From there downhill: the value falls against the part of the vertex that is across the direction.
@@ -117,9 +115,12 @@ bool are_few(const PointPair& pair) { return pair.a.size() <= few_points && pair
 Shallowest shallowest(const PointPair& pair, bool in_plane) {
   Shallowest best;
   if (are_few(pair)) {
-    for_each_two(edges_of(pair), in_plane, [&](const Edge& u, const Edge& v) {
-      best.look(pair, normal_of<Vec>(u.vector(), v.vector(), in_plane));
-    });
+    const std::vector<Vec> edges = edges_of(pair);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if (in_plane)
+        best.look(pair, edges[i].cross(Vec::UnitZ()));
+      else
+        for (std::size_t j = 0; j < i; ++j) best.look(pair, edges[i].cross(edges[j]));
     if (best.depth == std::numeric_limits<double>::infinity()) best.depth = 0;  // all in a line: of no depth
     return best;
   }
@@ -129,109 +130,109 @@ Shallowest shallowest(const PointPair& pair, bool in_plane) {
   return best;
 }
 
-/// Returns: those points that may be on the face which the difference has there, of the pair of size 1 and of the pair itself.
-/// Of few points all.
-std::pair<PointPair, PointPair> near_face(const PointPair& scaled, const PointPair& pair, const Vec& d) {
-  const bool takes_all = are_few(scaled);
-  std::pair<PointPair, PointPair> face;
-  const auto take = [&](Points PointPair::*set, const Vec& along) {
-    const Points& points = scaled.*set;
-    double most = -std::numeric_limits<double>::infinity();
-    for (const Vec& p : points) most = std::max(most, p.dot(along));
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (takes_all || (points[i].dot(along) > most - 0.01 && (face.first.*set).size() < few_points)) {
-        (face.first.*set).push_back(points[i]);
-        (face.second.*set).push_back((pair.*set)[i]);
-      }
-  };
-  take(&PointPair::a, d);
-  take(&PointPair::b, -d);
-  return face;
-}
-
 // -- Contact, exactly ---------------------------------------------------------------------------------------------------
 
 using Exact = std::array<gjk::detail::Dyadic, 3>;
 
-Exact exact(const Vec& p) { return {p.x(), p.y(), p.z()}; }
-
-Exact exact_vector(const Points& points, const Edge& edge) {
+Exact exact_vector(const Vec& from, const Vec& to) {
   Exact vector;
   for (int i = 0; i < 3; ++i)
-    vector[static_cast<std::size_t>(i)] =
-        gjk::detail::Dyadic(points[edge.to][i]) - gjk::detail::Dyadic(points[edge.from][i]);
+    vector[static_cast<std::size_t>(i)] = gjk::detail::Dyadic(to[i]) - gjk::detail::Dyadic(from[i]);
   return vector;
 }
 
-/// Returns: whether no point of the difference is beyond 0 along this normal.
-bool supports_at_origin(const PointPair& pair, const Exact& normal) {
-  const auto is_zero = [](const auto& x) { return sign_of(x) == 0; };
-  if (std::ranges::all_of(normal, is_zero)) return false;
-  const auto along = [&](const Vec& p) {
-    const Exact x = exact(p);
-    return x[0] * normal[0] + x[1] * normal[1] + x[2] * normal[2];
-  };
-  std::vector<gjk::detail::Dyadic> of_b;
-  for (const Vec& p : pair.b) of_b.push_back(along(p));
-  return std::ranges::all_of(pair.a, [&](const Vec& p) {
-    return std::ranges::all_of(of_b, [x = along(p)](const auto& y) { return sign_of(x - y) <= 0; });
-  });
+Exact cross(const Exact& u, const Exact& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-/// `found`: of `scaled`, the pair of size 1.
-bool touches(const PointPair& pair, const PointPair& scaled, const Shallowest& found, bool in_plane) {
-  if (found.depth > nearly_touches) return false;
-  if (found.direction == Vec::Zero()) return true;  // all in a line
-  const auto [near, of_pair] = near_face(scaled, pair, found.direction);
-  bool touch = false;
-  for_each_two(edges_of(near), in_plane, [&](const Edge& u, const Edge& v) {
-    if (touch) return;
-    const Vec normal = normal_of<Vec>(u.vector(), v.vector(), in_plane);
-    const double length = normal.norm();
-    if (length == 0) return;
-    for (const double sign : {1.0, -1.0}) {
-      if (supported(scaled, sign / length * normal).value > nearly_touches) continue;
-      const auto points = [&](const Edge& edge) -> const Points& {
-        return edge.set == &near.a ? of_pair.a : of_pair.b;
-      };
-      Exact exact = normal_of<Exact>(exact_vector(points(u), u), exact_vector(points(v), v), in_plane);
-      if (sign < 0)
-        for (gjk::detail::Dyadic& x : exact) x = -x;
-      touch = touch || supports_at_origin(pair, exact);
-    }
-  });
-  return touch;
+int side_of(const Exact& v, const Exact& normal) {
+  return sign_of(v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2]);
+}
+
+bool is_zero(const Exact& v) {
+  return std::ranges::all_of(v, [](const auto& x) { return sign_of(x) == 0; });
+}
+
+/// Planes between two sets that touch. Each goes through the points of both that a common point is made of, whichever that is.
+struct PlanesBetween {
+  std::vector<Exact> in_it;      ///< vectors that lie in every such plane
+  std::vector<Exact> on_a_side;  ///< vectors that are on one side of it, all on the same, or lie in it
+
+  bool have_normal(const Exact& normal) const {
+    if (std::ranges::any_of(in_it, [&](const Exact& v) { return side_of(v, normal) != 0; })) return false;
+    const auto reaches = [&](int side) {
+      return std::ranges::any_of(on_a_side, [&](const Exact& v) { return side_of(v, normal) == side; });
+    };
+    return !(reaches(1) && reaches(-1));
+  }
+};
+
+PlanesBetween planes_between(const PointPair& pair) {
+  const gjk::PointSet<double> a(pair.a), b(pair.b);
+  const auto simplex = std::get<gjk::CommonSimplex>(proven_answer(pair).certificate);
+  const gjk::detail::Fractions weights = *gjk::weights_of(simplex, a, b);
+  std::vector<std::pair<const Vec*, const Vec*>> common;
+  for (int i = 0; i < simplex.of.size(); ++i)
+    if (weights[static_cast<std::size_t>(i)] > 0)
+      common.emplace_back(&a.points()[static_cast<std::size_t>(simplex.of[i].a)],
+                          &b.points()[static_cast<std::size_t>(simplex.of[i].b)]);
+  const Vec &of_a = *common[0].first, &of_b = *common[0].second;
+  PlanesBetween planes;
+  for (const auto& [p, q] : common)
+    for (const Vec* const each : {p, q}) planes.in_it.push_back(exact_vector(of_a, *each));
+  for (const Vec& p : pair.a) planes.on_a_side.push_back(exact_vector(of_a, p));
+  for (const Vec& p : pair.b) planes.on_a_side.push_back(exact_vector(p, of_b));
+  for (std::vector<Exact>* const list : {&planes.in_it, &planes.on_a_side}) std::erase_if(*list, is_zero);
+  return planes;
 }
 
 }  // namespace
 
 HowFar how_far(const Case& asked, bool in_plane) {
-  // Scaled by a power of two, so that no difference overflows.
-  const double most = largest_number(asked.pair);
-  if (most == 0) return {};
-  const int power = std::ilogb(most) + 2;
-  PointPair pair = asked.pair;
-  for (Points* const set : {&pair.a, &pair.b})
-    for (Vec& p : *set)
-      for (double& x : p) x = std::scalbn(x, -power);
-  const double diagonal = diagonal_of(pair);
-  if (diagonal == 0) return {};
+  const Scaled scaled(asked.pair);
+  if (scaled.diagonal == 0) return {};
   if (!asked.meet()) {
-    const double gap = gap_of(pair);
-    return {std::scalbn(gap, power), gap / diagonal, false};
+    const double gap = gap_of(scaled.pair);
+    return {std::scalbn(gap, scaled.power), gap / scaled.diagonal, false};
   }
-  const PointPair scaled = of_size_one(pair, diagonal);
-  const Shallowest found = shallowest(scaled, in_plane);
-  if (touches(pair, scaled, found, in_plane)) return {};
-  const double depth = std::max(0.0, found.depth);
-  return {std::scalbn(depth * diagonal, power), depth, !are_few(pair)};
+  if (only_touch(asked.pair, in_plane)) return {};
+  const double depth = std::max(0.0, shallowest(of_size_one(scaled.pair, scaled.diagonal), in_plane).depth);
+  return {std::scalbn(depth * scaled.diagonal, scaled.power), depth, !are_few(asked.pair)};
+}
+
+double relative_to_size(double length, const PointPair& pair) {
+  const Scaled scaled(pair);
+  if (scaled.diagonal == 0) return 0;
+  return std::min(std::scalbn(length, -scaled.power) / scaled.diagonal, std::numeric_limits<double>::max());
 }
 
 bool only_touch(const PointPair& pair, bool in_plane) {
-  const double diagonal = diagonal_of(pair);
-  if (diagonal == 0) return true;
-  const PointPair scaled = of_size_one(pair, diagonal);
-  return touches(pair, scaled, shallowest(scaled, in_plane), in_plane);
+  const PlanesBetween planes = planes_between(pair);
+  // Two vectors span it: some that lie in it; where these are too few, such a plane can be turned until others do.
+  const std::vector<Exact> upright{{0, 0, 1}};
+  std::vector<Exact> first = planes.on_a_side, second = in_plane ? upright : first;
+  if (!planes.in_it.empty()) first = {planes.in_it[0]};
+  for (const Exact& v : planes.in_it)
+    if (!in_plane && !is_zero(cross(first[0], v))) second = {v};
+  bool are_in_a_line = true;
+  for (const Exact& u : first)
+    for (const Exact& v : second) {
+      const Exact normal = cross(u, v);
+      if (is_zero(normal)) continue;
+      if (planes.have_normal(normal)) return true;
+      are_in_a_line = false;
+    }
+  return are_in_a_line;
+}
+
+bool one_is_inside(const PointPair& pair, bool in_plane) {
+  const auto all_are_inside = [in_plane](const Points& inner, const Points& outer) {
+    return std::ranges::all_of(inner, [&](const Vec& p) {
+      const PointPair one{{p}, outer};
+      return truth_of(one) == gjk::Status::intersecting && !only_touch(one, in_plane);
+    });
+  };
+  return all_are_inside(pair.a, pair.b) || all_are_inside(pair.b, pair.a);
 }
 
 }  // namespace walkthroughs::judge

@@ -17,7 +17,13 @@ struct HowFar {
 /// of a, and of b), and of many points, where these would be too many, over directions that a descent finds.
 HowFar how_far(const Case& asked, bool in_plane);
 
+/// Returns: the length, relative to the diagonal of the box around both sets. Finite, also where either is beyond doubles.
+double relative_to_size(double length, const PointPair& pair);
+
 /// Returns: whether they have a point in common, and an arbitrarily short move parts them. Decided exactly. Requires: that they meet.
 bool only_touch(const PointPair& pair, bool in_plane);
+
+/// Returns: whether all points of one lie in the interior of the other, in the plane or in space. Decided exactly.
+bool one_is_inside(const PointPair& pair, bool in_plane);
 
 }  // namespace walkthroughs::judge

@@ -13,7 +13,7 @@ namespace walkthroughs::judge {
 namespace {
 
 constexpr std::size_t block = 1024;               // cases in memory at once
-constexpr std::size_t most_samples_of_kind = 30;  // of each family, right or wrong
+constexpr std::size_t most_samples_of_kind = 30;  // of each family: right, wrong, or of a wrong distance
 
 Verdict verdict_on(Reply::Kind kind) {
   switch (kind) {
@@ -26,14 +26,6 @@ Verdict verdict_on(Reply::Kind kind) {
   return Verdict::not_asked;
 }
 
-/// Whether this answer to it is the one that is expected, or may be given.
-bool is_right(const Case& asked, bool says_yes, const Standard& standard) {
-  if (standard.touching == Touching::intersecting || !asked.meet()) return says_yes == asked.meet();
-  if (standard.touching == Touching::either && says_yes) return true;
-  const bool touch = only_touch(asked.pair, standard.expected.in_plane);
-  return touch ? standard.touching == Touching::either || !says_yes : says_yes;
-}
-
 Verdict verdict_on(const Case& asked, Said said, const Standard& standard) {
   switch (said) {
     case Said::undecided: return Verdict::undecided;
@@ -43,7 +35,9 @@ Verdict verdict_on(const Case& asked, Said said, const Standard& standard) {
     case Said::separated: break;
   }
   const bool says_yes = said == Said::intersecting;
-  return is_right(asked, says_yes, standard) ? Verdict::right : says_yes ? Verdict::wrong_yes : Verdict::wrong_no;
+  const Called right = right_answer(asked, standard);
+  if (right == Called::either || says_yes == (right == Called::intersecting)) return Verdict::right;
+  return says_yes ? Verdict::wrong_yes : Verdict::wrong_no;
 }
 
 Tally& tally_of(const std::string& family, std::vector<Tally>& all) {
@@ -60,17 +54,16 @@ bool is_everyday(const Judged& each) {
 }
 
 /// Of two powers of ten one class.
-int class_of(const HowFar& far) {
-  return far.relative > 0 ? static_cast<int>(std::floor(std::log10(far.relative) / 2)) : -1000;
-}
+int class_of(double wrong) { return wrong > 0 ? static_cast<int>(std::floor(std::log10(wrong) / 2)) : -1000; }
 
 /// Everyday numbers first, and of these the worst; of some as bad, that of fewest points, which is easiest to follow.
 bool is_worse(const Judged& one, const Judged& other) {
   if (is_everyday(one) != is_everyday(other)) return is_everyday(one);
   const auto size = [](const Judged& each) { return each.asked.pair.a.size() + each.asked.pair.b.size(); };
-  if (class_of(one.how_far) != class_of(other.how_far)) return class_of(one.how_far) > class_of(other.how_far);
+  const double wrong_one = how_wrong(one), wrong_other = how_wrong(other);
+  if (class_of(wrong_one) != class_of(wrong_other)) return class_of(wrong_one) > class_of(wrong_other);
   if (size(one) != size(other)) return size(one) < size(other);
-  return one.how_far.relative > other.how_far.relative;
+  return wrong_one > wrong_other;
 }
 
 /// What happened in one block beside what happened before.
@@ -122,7 +115,8 @@ class Hearing {
     if (is_fault(each.verdict) || each.false_evidence) judgement_.faults.push_back(fault_line(each));
     if (is_fault(each.verdict) && !is_answer && judgement_.failed.size() < most_failed)
       judgement_.failed.push_back(each);
-    if (is_answer && samples_[{each.asked.family, is_wrong(each.verdict)}]++ < most_samples_of_kind)
+    const int kind = each.verdict == Verdict::wrong_distance ? 2 : is_wrong(each.verdict) ? 1 : 0;
+    if (is_answer && samples_[{each.asked.family, kind}]++ < most_samples_of_kind)
       judgement_.samples.push_back(std::move(each));
   }
 
@@ -134,11 +128,16 @@ class Hearing {
 
   Standard standard_;
   std::size_t most_worst_;
-  std::map<std::pair<std::string, bool>, std::size_t> samples_;
+  std::map<std::pair<std::string, int>, std::size_t> samples_;
   Judgement judgement_;
 };
 
 }  // namespace
+
+double how_wrong(const Judged& judged) {
+  const double right = judged.how_far.relative;
+  return judged.distance ? std::abs(relative_to_size(*judged.distance, judged.asked.pair) - right) : right;
+}
 
 std::uint64_t Tally::faults() const {
   std::uint64_t sum = false_evidence;
@@ -150,7 +149,7 @@ void Tally::add(const Judged& judged) {
   ++pairs;
   ++counts[static_cast<std::size_t>(judged.verdict)];
   false_evidence += judged.false_evidence;
-  if (is_wrong(judged.verdict)) worst = std::max(worst, judged.how_far.relative);
+  if (is_wrong(judged.verdict)) worst = std::max(worst, how_wrong(judged));
 }
 
 bool Judgement::is_good() const { return all.faults() == 0 && behaves(); }
@@ -159,6 +158,14 @@ bool Judgement::behaves() const {
   constexpr std::uint64_t hiccups = 1;  // of a machine with other work
   return all.of(Verdict::not_asked) == 0 && replies.crashes_in_company == 0 && replies.late_in_company <= hiccups &&
          replies.floods == 0 && replies.long_lines == 0;
+}
+
+Called right_answer(const Case& asked, const Standard& standard) {
+  const bool in_plane = standard.expected.in_plane;
+  if (!asked.meet()) return Called::separated;
+  if (standard.touching != Called::intersecting && only_touch(asked.pair, in_plane)) return standard.touching;
+  if (standard.inside != Called::intersecting && one_is_inside(asked.pair, in_plane)) return standard.inside;
+  return Called::intersecting;
 }
 
 bool can_be_drawn(const PointPair& pair) {
@@ -178,10 +185,17 @@ Judged judged(const Case& asked, const Reply& reply, const Standard& standard) {
   judged.verdict = verdict_on(asked, answer.said, standard);
   judged.detail = answer.why;
   judged.false_evidence = judged.verdict == Verdict::right && answer.evidence == Evidence::proves_nothing;
-  if (!is_wrong(judged.verdict)) return judged;
+  if (judged.verdict == Verdict::right && answer.said == Said::separated && !asked.meet() &&
+      answer.distance.value_or(0) > 0)
+    judged.distance = answer.distance;
+  if (!is_wrong(judged.verdict) && !judged.distance) return judged;
   judged.how_far = how_far(asked, standard.expected.in_plane);
-  if (judged.how_far.relative <= standard.tolerance && standard.tolerance > 0)
-    judged.verdict = Verdict::within_tolerance;
+  // Of surfaces alone, a move into the other set may be shorter than the one out of it that is measured.
+  if (asked.meet() && standard.inside != Called::intersecting) judged.how_far.is_bound = judged.how_far.length > 0;
+  const double wrong = how_wrong(judged);
+  if (judged.distance && wrong <= good_distance(standard.expected.numbers)) return judged;
+  if (judged.distance) judged.verdict = Verdict::wrong_distance;
+  if (wrong <= standard.tolerance && standard.tolerance > 0) judged.verdict = Verdict::within_tolerance;
   return judged;
 }
 
@@ -190,6 +204,7 @@ Judgement judge(const AskedProgram& program, Cases cases, const Standard& standa
   Hearing hearing(standard, worst);
   for (std::uint64_t done = 0; !hearing.is_over();) {
     const std::vector<Case> some = cases.next(block);
+    if (some.empty() && cases.most() == 0) progress(done, done);  // now it is known
     if (some.empty()) break;
     std::vector<std::string> questions;
     for (const Case& each : some) questions.push_back(question_line({each.pair.a, each.pair.b}));

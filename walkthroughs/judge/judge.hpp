@@ -16,13 +16,14 @@
 
 namespace walkthroughs::judge {
 
-/// What sets that only touch are to be called.
-enum class Touching { intersecting, separated, either };
+/// What sets are to be called that programs see in different ways.
+enum class Called { intersecting, separated, either };
 
 /// What is wrong, and how wrong it may be.
 struct Standard {
   Expected expected = {};
-  Touching touching = Touching::intersecting;
+  Called touching = Called::intersecting;  ///< sets that only touch
+  Called inside = Called::intersecting;    ///< sets of which one lies wholly inside the other, not touching its surface
   double tolerance =
       0;  ///< what is no farther from the other answer, relative to the size of the pair, is counted apart
 };
@@ -32,6 +33,7 @@ enum class Verdict {
   within_tolerance,
   wrong_yes,
   wrong_no,
+  wrong_distance,
   undecided,
   not_a_number,
   no_answer,
@@ -39,28 +41,37 @@ enum class Verdict {
   late,
   not_asked
 };
-inline constexpr std::array<std::string_view, 10> verdict_words{"right",     "within the tolerance",
-                                                                "wrong yes", "wrong no",
-                                                                "undecided", "not a number",
-                                                                "no answer", "ended",
-                                                                "too late",  "not asked"};
+inline constexpr std::array<std::string_view, 11> verdict_words{
+    "right",     "within the tolerance", "wrong yes", "wrong no", "wrong distance",
+    "undecided", "not a number",         "no answer", "ended",    "too late",
+    "not asked"};
 
 /// Returns: whether it is a fault of the program. To leave a pair open is one.
 constexpr bool is_fault(Verdict verdict) {
   return verdict != Verdict::right && verdict != Verdict::within_tolerance && verdict != Verdict::not_asked;
 }
 /// Returns: whether it is the wrong answer, and not none.
-constexpr bool is_wrong(Verdict verdict) { return verdict == Verdict::wrong_yes || verdict == Verdict::wrong_no; }
+constexpr bool is_wrong(Verdict verdict) {
+  return verdict == Verdict::wrong_yes || verdict == Verdict::wrong_no || verdict == Verdict::wrong_distance;
+}
+
+/// Returns: by how much a distance may be off, relative to the size of the pair, which is the diagonal of the box around both.
+/// That is far above what rounding does to a good search, in doubles or in floats.
+constexpr double good_distance(Numbers numbers) { return numbers == Numbers::floats ? 1e-4 : 1e-6; }
 
 /// What came of one case.
 struct Judged {
   Case asked;
   Said said = Said::nothing;
   Verdict verdict = Verdict::not_asked;
-  HowFar how_far = {};          ///< of a wrong answer
-  std::string detail = {};      ///< of no answer, or of an early end
-  bool false_evidence = false;  ///< whether what it gives as evidence of a right answer proves nothing
+  HowFar how_far = {};                  ///< of a wrong answer; where there is a distance, the true one
+  std::optional<double> distance = {};  ///< that is told of sets apart
+  std::string detail = {};              ///< of no answer, or of an early end
+  bool false_evidence = false;          ///< whether what it gives as evidence of a right answer proves nothing
 };
+
+/// Returns: how far the sets would have to be moved to make a wrong answer right, relative to their size.
+double how_wrong(const Judged& judged);
 
 struct Tally {
   std::string family;
@@ -69,7 +80,7 @@ struct Tally {
   double worst = 0;  ///< of wrong answers, relative
 
   std::uint64_t of(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
-  std::uint64_t wrong() const { return of(Verdict::wrong_yes) + of(Verdict::wrong_no); }
+  std::uint64_t wrong() const { return of(Verdict::wrong_yes) + of(Verdict::wrong_no) + of(Verdict::wrong_distance); }
   std::uint64_t faults() const;
   void add(const Judged& judged);
 };
@@ -93,9 +104,12 @@ struct Judgement {
   bool is_good() const;  ///< and nothing is wrong
 };
 
-/// `progress`: is told how many of how many are done. Errors: those of run_program() and of Cases.
+/// `progress`: is told how many of how many are done, of 0 where that is not known yet. Errors: those of run_program() and of Cases.
 Judgement judge(const AskedProgram& program, Cases cases, const Standard& standard, std::size_t worst,
                 const std::function<void(std::uint64_t done, std::uint64_t most)>& progress);
+
+/// Returns: what the sets are to be called.
+Called right_answer(const Case& asked, const Standard& standard);
 
 /// Returns: whether `gjkstep render` takes the pair.
 bool can_be_drawn(const PointPair& pair);

@@ -28,9 +28,9 @@ std::string count(std::uint64_t number, const std::string& one, const std::strin
 }
 
 /// Three digits are enough.
-std::string size_text(double x) {
+std::string size_text(double x, int digits = 3) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
   return text;
 }
 
@@ -69,10 +69,19 @@ std::string how_far_in_words(const Judged& each) {
          (meet ? " of their size deep in each other" : " of their size");
 }
 
+/// Of a distance as many digits as show that it is wrong, of which three are enough otherwise.
+std::string said_in_words(const Judged& each) {
+  if (!each.distance) return each.said == Said::intersecting ? "yes" : "no";
+  const double said = relative_to_size(*each.distance, each.asked.pair);
+  int digits = 3;
+  while (digits < 17 && size_text(said, digits) == size_text(each.how_far.relative, digits)) ++digits;
+  return size_text(said, digits);
+}
+
 /// What came of a pair that is wrong, or has no answer.
 std::string what_came_of(const Judged& each) {
   if (!is_wrong(each.verdict)) return each.detail.empty() ? word(each.verdict) : message_line(each.detail);
-  return how_far_in_words(each) + ", and it says " + (each.asked.meet() ? "no" : "yes");
+  return how_far_in_words(each) + ", and it says " + said_in_words(each);
 }
 
 /// A pair without an answer says more than a wrong one.
@@ -234,7 +243,9 @@ std::vector<ToldPair> told_pairs(const Judgement& judgement) {
 
 // -- The table --------------------------------------------------------------------------------------------------------
 
-const Row columns{"family", "pairs", "wrong yes", "wrong no", "undecided", "no answer", "how far at most"};
+const Row columns{"family",         "pairs",     "wrong yes", "wrong no",
+                  "wrong distance", "undecided", "no answer", "how far at most"};
+constexpr std::ptrdiff_t of_distances = 4;
 
 Row row_of(const Tally& tally) {
   const std::uint64_t none = tally.faults() - tally.wrong() - tally.false_evidence;
@@ -242,6 +253,7 @@ Row row_of(const Tally& tally) {
           count(tally.pairs),
           count(tally.of(Verdict::wrong_yes)),
           count(tally.of(Verdict::wrong_no)),
+          count(tally.of(Verdict::wrong_distance)),
           count(tally.of(Verdict::undecided)),
           count(none),
           tally.wrong() > 0 ? size_text(tally.worst) : ""};
@@ -263,9 +275,10 @@ Json json_of(const Tally& tally) {
 Json json_of(const Judged& each) {
   Json pair = {{"name", each.asked.name}, {"family", each.asked.family}, {"verdict", word(each.verdict)}};
   if (is_wrong(each.verdict)) {
-    pair["relative"] = each.how_far.relative;
+    pair["relative"] = how_wrong(each);
     pair["length"] = each.how_far.length;
     pair["at_most"] = each.how_far.is_bound;
+    if (each.distance) pair["distance"] = *each.distance;
   }
   if (!each.detail.empty()) pair["detail"] = printable(each.detail);
   pair.update(Json::parse(question_line({each.asked.pair.a, each.asked.pair.b})));
@@ -305,8 +318,8 @@ std::vector<std::string> Accepted::news(const Judgement& judgement) const {
 std::optional<std::string> why_not_judged(const Judgement& judgement) {
   const Replies& replies = judgement.replies;
   const auto of = [&](Verdict verdict) { return judgement.all.of(verdict); };
-  const std::uint64_t answered = of(Verdict::right) + of(Verdict::within_tolerance) + of(Verdict::wrong_yes) +
-                                 of(Verdict::wrong_no) + of(Verdict::undecided) + of(Verdict::not_a_number);
+  const std::uint64_t answered = of(Verdict::right) + of(Verdict::within_tolerance) + judgement.all.wrong() +
+                                 of(Verdict::undecided) + of(Verdict::not_a_number);
   const std::string first = judgement.failed.empty() ? ""
                                                      : " (" + judgement.failed.front().asked.name + ": " +
                                                            judgement.failed.front().detail + ")";
@@ -338,10 +351,13 @@ std::string table(const Report& report) {
   rows.push_back(row_of(report.judgement.all));
   std::string text;
   for (Row& row : rows) {
+    if (report.judgement.all.of(Verdict::wrong_distance) == 0) row.erase(row.begin() + of_distances);
     std::ranges::replace(row[0], '|', '/');
     for (const std::string& cell : row) text += "| " + cell + " ";
     text += "|\n";
-    if (&row == &rows.front()) text += "|---|---|---|---|---|---|---|\n";
+    if (&row != &rows.front()) continue;
+    for (std::size_t i = 0; i < row.size(); ++i) text += "|---";
+    text += "|\n";
   }
   return text;
 }

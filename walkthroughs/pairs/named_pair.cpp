@@ -96,15 +96,11 @@ void for_each_line(std::string_view text, const std::string& file,
   }
 }
 
-std::vector<NamedPair> read_pairs(std::string_view text, const std::string& file) {
+std::vector<NamedPair> kept_pairs() {
   std::vector<NamedPair> pairs;
-  for_each_line(text, file, [&](std::string_view line, std::size_t number) {
-    pairs.push_back(pair_of_line(line, "line-" + std::to_string(number)));
-  });
-  if (pairs.empty()) throw InputError(file + R"(: holds no pair; each is a line {"a":{"points":[[0,0,0]]},"b":…})");
+  for_each_line(kept_corpus_text(), "corpus.jsonl",
+                [&](std::string_view line, std::size_t /*number*/) { pairs.push_back(pair_of_line(line, "")); });
   return pairs;
 }
-
-std::vector<NamedPair> kept_pairs() { return read_pairs(kept_corpus_text(), "corpus.jsonl"); }
 
 }  // namespace walkthroughs::pairs

@@ -36,10 +36,6 @@ NamedPair pair_of_line(std::string_view line, const std::string& name);
 void for_each_line(std::string_view text, const std::string& file,
                    const std::function<void(std::string_view, std::size_t)>& use);
 
-/// Returns: the pairs. Answers that lines tell are not looked at. `file` stands in errors.
-/// Errors: InputError, which names the line, where one is no such pair, or there is none.
-std::vector<NamedPair> read_pairs(std::string_view text, const std::string& file);
-
 /// Returns: the kept corpus, which the program has with it.
 std::vector<NamedPair> kept_pairs();
 

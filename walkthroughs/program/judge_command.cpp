@@ -24,6 +24,7 @@
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/pairs/families.hpp"
 #include "walkthroughs/pairs/graded.hpp"
+#include "walkthroughs/pairs/pair_file.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/judge_report.hpp"
 #include "walkthroughs/program/number_option.hpp"
@@ -55,17 +56,19 @@ With JUDGE_STEPS in its environment it may tell its steps, a line at the end of 
 the direction that it searched along, and the simplex after it was reduced, points a - b, the newest last. What the adapters
 call judge_step does that. Each step is made again from the simplex before it; wrong ones are told from those that are as right.
 How wrong an answer is: how far the sets would have to be moved to make it right, relative to the diagonal of the box around both.
+A distance of sets that are apart is wrong where it is off by more than 1e-6 of that (1e-4 with --numbers float), and --tolerance.
 Exit codes: 0 all is right (or, with --accept, nothing is newly wrong), 1 something is not, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be read, or a program
 that does not answer, 5 cannot write.
 Families: )" +
          joined(names_of_families(), ", ", [](const std::string& each) { return each; }) + ".";
 }
 
-/// How far it has come, in place, on a terminal.
+/// How far it has come, in place, on a terminal. Where an error ends it, that takes the place.
 void show_progress(std::uint64_t done, std::uint64_t most) {
   if (::isatty(STDERR_FILENO) != 1) return;
-  std::fprintf(stderr, "\r%llu of %llu pairs%s", static_cast<unsigned long long>(done),
-               static_cast<unsigned long long>(most), done < most ? "" : "\n");
+  const std::string of_all = most > 0 ? " of " + std::to_string(most) : "";
+  std::fprintf(stderr, "%llu%s pairs\r%s", static_cast<unsigned long long>(done), of_all.c_str(),
+               done == most ? "\n" : "");
 }
 
 struct JudgeCommand {
@@ -74,7 +77,7 @@ struct JudgeCommand {
   render::Backend backend = render::default_backend();  ///< of what is shown
   std::uint64_t count = 100, seed = 1;
   double time_limit = 2, tolerance = 0;
-  std::string numbers = "double", touching = "yes";
+  std::string numbers = "double", touching = "yes", solid = "yes";
   bool in_plane = false, as_json = false, as_table = false, as_steps = false, makes_pairs = false, force = false;
   std::string options;  ///< as they were given
 
@@ -129,12 +132,14 @@ std::vector<const Family*> families_called(const std::vector<std::string>& names
 
 judge::Cases JudgeCommand::cases() const {
   if (pairs) {
-    const std::vector<NamedPair> all = pairs::read_pairs(read_text(*pairs, largest_file), called(*pairs));
-    for (const NamedPair& each : all)
-      if (!is_of_points(each))
-        throw InputError(called(*pairs) + ": " + printable(each.name) +
+    const auto next = [file = std::make_shared<pairs::PairFile>(*pairs), from = called(*pairs)] {
+      std::optional<NamedPair> pair = file->next();
+      if (pair && !is_of_points(*pair))
+        throw InputError(from + ": " + printable(pair->name) +
                          " has a round shape; a program is asked about points only");
-    return judge::cases_of(all, {}, 0, seed, expected());
+      return pair;
+    };
+    return {next, 0, expected()};
   }
   std::vector<NamedPair> kept = makes_pairs ? std::vector<NamedPair>() : pairs::kept_pairs();
   std::erase_if(kept, [](const NamedPair& each) { return !is_of_points(each); });
@@ -186,13 +191,13 @@ judge::Accepted JudgeCommand::accepted(const judge::Judgement& judgement,
   return {*accept, {judgement.faults.begin(), judgement.faults.end()}, true};
 }
 
+judge::Called called_by(const std::string& word) {
+  using judge::Called;
+  return word == "no" ? Called::separated : word == "either" ? Called::either : Called::intersecting;
+}
+
 judge::Standard JudgeCommand::standard() const {
-  using judge::Touching;
-  return {expected(),
-          touching == "no"       ? Touching::separated
-          : touching == "either" ? Touching::either
-                                 : Touching::intersecting,
-          tolerance};
+  return {expected(), called_by(touching), called_by(solid), tolerance};
 }
 
 /// Returns: what is read and written. Errors: UsageError where two of these are at one place, or a file of others would be lost.
@@ -328,6 +333,13 @@ Command add_judge_command(CLI::App& app, std::optional<std::string>& gl) {
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command->add_option("--touching", asked->touching, "what sets that only touch are to be called: yes, no or either")
+      ->check(CLI::IsMember({"yes", "no", "either"}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--solid", asked->solid,
+          "what sets are to be called of which one lies wholly inside the other, not touching its surface: yes, no "
+          "(as of hollow meshes) or either")
       ->check(CLI::IsMember({"yes", "no", "either"}))
       ->capture_default_str();
   command->add_flag("--plane", asked->in_plane, "for programs of the plane: every z is 0");

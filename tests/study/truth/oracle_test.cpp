@@ -9,6 +9,8 @@
 #include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/linear_program.hpp"
 #include "tests/study/truth/oracle_cgal.hpp"
+#include "walkthroughs/judge/how_far.hpp"
+#include "walkthroughs/pairs/graded.hpp"
 
 namespace study {
 namespace {
@@ -203,6 +205,34 @@ TEST_CASE("Oracle: predicates and certificates agree on every family of points",
     }
   REQUIRE(judged_by_predicates > 1500);
   REQUIRE(pairs > judged_by_predicates + 400);
+}
+
+/// These prove what the judge holds programs against, by a search of ours; CGAL's solver knows nothing of it.
+TEST_CASE(
+    "Oracle: the judge's truth, and what it says only touches, are CGAL's on fresh pairs of every family of points, "
+    "graded ones, too",
+    "[oracle][unsanitized]") {
+  constexpr std::uint64_t seed = 47, of_each = 32;
+  int pairs = 0, meeting = 0, touching = 0;
+  for (const auto* const list : {&families(), &walkthroughs::pairs::graded_families()})
+    for (const Family& family : *list)
+      for (std::uint64_t index = 0; index < std::min(of_each, family.size.value_or(of_each)); ++index) {
+        const auto pair = walkthroughs::pairs::points_of(family.make(seed, index));
+        if (!pair) break;
+        INFO(family.name << " " << index << " of seed " << seed);
+        const bool meet = truth({pair->a, pair->b}) == intersecting;
+        REQUIRE((walkthroughs::judge::truth_of(*pair) == gjk::Status::intersecting) == meet);
+        const bool touch = meet && hulls_only_touch(pair->a, pair->b);
+        if (meet) REQUIRE(walkthroughs::judge::only_touch(*pair, false) == touch);
+        ++pairs;
+        meeting += meet;
+        touching += touch;
+      }
+  WARN(pairs << " pairs of seed " << seed << ", of which " << meeting << " meet and " << touching
+             << " of these only touch");
+  REQUIRE(meeting > pairs / 4);
+  REQUIRE(meeting < pairs * 3 / 4);
+  REQUIRE(touching > 100);
 }
 
 Points whole_points(Dice& dice, int reach) {

@@ -38,7 +38,9 @@ TEST_CASE("Answers: a word, a distance or an object with a status is one, and ev
   }
   CHECK(read_answer(std::string(100000, '['), apart).said == Said::nothing);
   CHECK(read_answer(R"({"error":"too hard","line":7})", apart).why == "too hard");
-  CHECK(read_answer("distance 0.25", apart).distance == 0.25);
+  for (const char* const line : {"distance 0.25", R"({"distance":0.25})", R"({"status":"separated","distance":0.25})"})
+    CHECK(read_answer(line, apart).distance == 0.25);
+  CHECK_FALSE(read_answer(R"({"status":"separated","distance":"far"})", apart).distance);
 }
 
 TEST_CASE("Answers: a direction is evidence where all of a lies before all of b, wherever it is written") {

@@ -1,6 +1,7 @@
 #include "walkthroughs/judge/how_far.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "tests/kit/catch.hpp"
 #include "walkthroughs/pairs/families.hpp"
@@ -72,6 +73,74 @@ TEST_CASE("Contact is decided exactly: all that touch do, and by one unit in the
     }
   CHECK(only_touch({{{1, 2, 3}}, {{1, 2, 3}}}, false));
   CHECK(only_touch({{{0, 0, 0}, {1, 1, 1}}, {{-1, -1, -1}, {0.5, 0.5, 0.5}}}, false));  // along one line
+}
+
+TEST_CASE("How far: a length relative to the size is finite, also where the length or the size is beyond doubles") {
+  constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+  CHECK(relative_to_size(2, {{{0, 0, 0}}, {{3, 4, 0}}}) == Approx(0.4));
+  CHECK(relative_to_size(most, {{{-most, 0, 0}}, {{most, 0, 0}}}) == Approx(0.5));
+  CHECK(relative_to_size(2 * least, {{{0, 0, 0}}, {{4 * least, 0, 0}}}) == Approx(0.5));
+  CHECK(relative_to_size(most, {{{0, 0, 0}}, {{least, 0, 0}}}) == most);
+  CHECK(relative_to_size(least, {{{0, 0, 0}}, {{most, 0, 0}}}) < 1e-300);
+  CHECK(relative_to_size(least, {{{most, 0, 0}}, {{most, least, 0}}}) == 0);  // which is all that can be said
+}
+
+/// Below the plane w = 0 of a frame along none of the axes, of whole numbers; 49 of its points in that plane.
+Points many_below(double sign) {
+  Points points;
+  for (int u = -3; u <= 3; ++u)
+    for (int v = -3; v <= 3; ++v)
+      for (const int w : {0, -1}) points.push_back(u * Vec(1, 2, 2) + v * Vec(2, 1, -2) + sign * w * Vec(2, -2, 1));
+  return points;
+}
+
+TEST_CASE("Contact of sets of many points is decided exactly, too") {
+  const Points below = many_below(1);
+  Points above = many_below(-1);
+  CHECK(only_touch({below, above}, false));
+  CHECK(only_touch({below, {Vec(1, 2, 2)}}, false));  // a point that it has, inside a face
+  CHECK(only_touch({below, {Vec(0.5, 1, 1)}}, false));
+  for (Vec& p : above) p += 0x1p-40 * Vec(-2, 2, -1);
+  CHECK_FALSE(only_touch({below, above}, false));
+  CHECK_FALSE(only_touch({below, {-0x1p-40 * Vec(2, -2, 1)}}, false));
+}
+
+TEST_CASE("Contact in the plane and of lines is decided in all ways that two sets can touch") {
+  const Points square{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}}, segment{{1, 1, 0}, {1, 3, 0}};
+  CHECK_FALSE(only_touch({square, segment}, true));
+  CHECK(only_touch({square, segment}, false));
+  CHECK(only_touch({square, {{2, 2, 0}, {3, 0, 0}, {3, 2, 0}}}, true));  // a point of both
+  CHECK_FALSE(only_touch({square, {{2, 2, 0}, {3, 0, 0}, {0, 1, 0}}}, true));
+  CHECK(only_touch({square, {{2, 2, 0}}}, true));
+  const Points tetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  CHECK(only_touch({tetrahedron, {{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, -1}}}, false));  // a point of both
+  CHECK_FALSE(only_touch({tetrahedron, {{0, 0, 0}, {-1, -1, -1}, {1, 1, 2}}}, false));
+}
+
+TEST_CASE("Inside: all of one lies in the interior of the other, by one unit in the last place") {
+  const Points outer = box({0, 0, 0}, {4, 4, 4});
+  const auto inside = [&](const Points& inner, bool in_plane = false) {
+    const bool is_inside = one_is_inside({inner, outer}, in_plane);
+    CHECK(one_is_inside({outer, inner}, in_plane) == is_inside);
+    return is_inside;
+  };
+  CHECK(inside(box({1, 1, 1}, {3, 3, 3})));
+  CHECK(inside(box({1, 1, 1}, {3, 3, std::nextafter(4.0, 0)})));
+  CHECK_FALSE(inside(box({1, 1, 1}, {3, 3, 4})));
+  CHECK_FALSE(inside(box({1, 1, 1}, {3, 3, 5})));
+  CHECK_FALSE(inside(box({5, 5, 5}, {6, 6, 6})));
+  CHECK_FALSE(inside(outer));
+  CHECK(inside({{2, 2, 2}}));
+  CHECK(inside({{0x1p-1000, 1, 1}}));
+  const Points square{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}}, triangle{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}};
+  CHECK(one_is_inside({square, triangle}, true));
+  CHECK_FALSE(one_is_inside({square, triangle}, false));  // which has no interior
+  CHECK_FALSE(one_is_inside({square, {{1, 1, 0}, {2, 0, 0}}}, true));
+  // Of many points, of which the one inside is one, too.
+  Points many = many_below(1);
+  many.push_back(-0x1p-40 * Vec(2, -2, 1));
+  CHECK(one_is_inside({many, {many.back()}}, false));
+  CHECK_FALSE(one_is_inside({many, {many.back(), Vec(1, 2, 2)}}, false));
 }
 
 }  // namespace

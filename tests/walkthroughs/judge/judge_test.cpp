@@ -36,6 +36,17 @@ Judgement judged_on_kept(const AskedProgram& asked, const Standard& standard = {
   return judge(asked, cases_of(kept(), {}, 0, 1, standard.expected), standard, 10, [](auto, auto) {});
 }
 
+Judgement judged_on_all(const AskedProgram& asked, const Standard& standard = {}) {
+  return judge(asked, cases_of(kept(), families_of_points(), 100, 1, standard.expected), standard, 10,
+               [](auto, auto) {});
+}
+
+/// Some of which lie inside the other.
+Judgement judged_on_boxes(const AskedProgram& asked, const Standard& standard) {
+  return judge(asked, cases_of({}, {&family_named("boxes"), &family_named("hulls-8")}, 300, 1, standard.expected),
+               standard, 10, [](auto, auto) {});
+}
+
 TEST_CASE("Judge: certified answers are right on all kept pairs, with evidence that holds") {
   const Judgement found = judged_on_kept(program({kit::program().string(), "query", "--certified"}));
   CHECK(found.is_good());
@@ -68,14 +79,112 @@ TEST_CASE("Judge: within a tolerance an answer is counted apart; contact is what
   CHECK(strict.all.of(Verdict::wrong_no) > 100);
   CHECK(tolerant.all.of(Verdict::within_tolerance) > 100);
   CHECK(tolerant.all.wrong() + tolerant.all.of(Verdict::within_tolerance) == strict.all.wrong());
-  const Judgement either = judged_on_kept(planted("contact"), {.touching = Touching::either});
-  const Judgement apart = judged_on_kept(planted("contact"), {.touching = Touching::separated});
+  const Judgement either = judged_on_kept(planted("contact"), {.touching = Called::either});
+  const Judgement apart = judged_on_kept(planted("contact"), {.touching = Called::separated});
   CHECK(either.all.wrong() < 40);
   CHECK(apart.all.wrong() < 40);
   const Judgement yes =
-      judged_on_kept(program({kit::program().string(), "query", "--certified"}), {.touching = Touching::separated});
+      judged_on_kept(program({kit::program().string(), "query", "--certified"}), {.touching = Called::separated});
   CHECK(yes.all.of(Verdict::wrong_yes) > 100);
   CHECK(yes.all.of(Verdict::wrong_no) == 0);
+}
+
+TEST_CASE(
+    "Judge: who knows only surfaces is wrong where one set is inside the other, and is told so, unless that is right") {
+  const AskedProgram asked = planted("hollow");
+  const Judgement solid = judged_on_boxes(asked, {});
+  REQUIRE(solid.all.of(Verdict::wrong_no) > 3);
+  CHECK(solid.all.wrong() == solid.all.of(Verdict::wrong_no));
+  const std::vector<Cause> causes = probable_causes(asked, solid, {});
+  REQUIRE_FALSE(causes.empty());
+  CHECK(causes.front().name == "a set inside the other is taken for apart");
+  CHECK(causes.front().option == "--solid no");
+  for (const Called called : {Called::separated, Called::either})
+    CHECK(judged_on_boxes(asked, {.inside = called}).is_good());
+
+  const Standard hollow{.inside = Called::separated};
+  const Judgement filled = judged_on_boxes(planted("none"), hollow);
+  CHECK(filled.all.of(Verdict::wrong_yes) == solid.all.of(Verdict::wrong_no));
+  for (const Judged& each : filled.worst) CHECK(each.how_far.is_bound);
+  CHECK(first_screen({"./mine", "", filled, {}}).find("deep in each other, and it says yes") != std::string::npos);
+  CHECK(probable_causes(planted("none"), filled, hollow).front().name ==
+        "a set inside the other is taken for an intersection");
+  CHECK(judged_on_boxes(planted("none"), {.inside = Called::either}).is_good());
+}
+
+TEST_CASE("Judge: what sets inside each other are called changes no other cause", "[full][unsanitized]") {
+  const Standard hollow{.inside = Called::separated};
+  for (const auto& [fault, name] : {std::pair{"hollow,m14", "M14:"}, std::pair{"hollow,planar", "z is ignored"},
+                                    std::pair{"hollow,contact", "contact is taken for a miss"}}) {
+    INFO(fault);
+    const AskedProgram asked = planted(fault);
+    const std::vector<Cause> causes = probable_causes(asked, judged_on_all(asked, hollow), hollow);
+    REQUIRE_FALSE(causes.empty());
+    CHECK(causes.front().name.starts_with(name));
+  }
+}
+
+// -- Distances ----------------------------------------------------------------------------------------------------------
+
+Judgement judged_by_distances(const std::string& fault, const Standard& standard = {}) {
+  return judge(program({"env", "FAULT=" + fault, JUDGED_DISTANCES}),
+               cases_of(kept(), families_of_points(), 10, 1, standard.expected), standard, 10, [](auto, auto) {});
+}
+
+TEST_CASE("Judge: true distances are right, of all kept pairs and families") {
+  CHECK(judged_by_distances("none").is_good());
+  CHECK(judged_by_distances("none", {.expected = {.numbers = Numbers::floats}}).is_good());
+}
+
+TEST_CASE(
+    "Judge: a distance is wrong where it is off by more than rounding, and more than the tolerance, of the size") {
+  const Case asked{"pair", "pairs", {{{0, 0, 0}}, {{3, 0, 0}, {3, 4, 0}}}, gjk::Status::separated};  // of size 5
+  const auto verdict = [&](const std::string& line, const Standard& standard = {}) {
+    return judged(asked, {Reply::line, line}, standard).verdict;
+  };
+  CHECK(verdict("distance 3") == Verdict::right);
+  CHECK(verdict("distance 3.000004") == Verdict::right);
+  CHECK(verdict("distance 2.999996") == Verdict::right);
+  CHECK(verdict("distance 3.000006") == Verdict::wrong_distance);
+  CHECK(verdict("distance 2.999994") == Verdict::wrong_distance);
+  CHECK(verdict(R"({"status":"separated","distance":4})") == Verdict::wrong_distance);
+  CHECK(verdict("no") == Verdict::right);
+  CHECK(verdict(R"({"status":"separated","distance":-1})") == Verdict::right);  // as who knows none says it
+  CHECK(verdict("distance 0") == Verdict::wrong_yes);
+  const Standard floats{.expected = {.numbers = Numbers::floats}};
+  CHECK(verdict("distance 3.0004", floats) == Verdict::right);
+  CHECK(verdict("distance 3.0006", floats) == Verdict::wrong_distance);
+  CHECK(verdict("distance 3.04", {.tolerance = 0.01}) == Verdict::within_tolerance);
+  CHECK(verdict("distance 3.06", {.tolerance = 0.01}) == Verdict::wrong_distance);
+  CHECK(how_wrong(judged(asked, {Reply::line, "distance 4"}, {})) == Approx(0.2));
+  const Case together{"pair", "pairs", {{{0, 0, 0}}, {{0, 0, 0}}}, gjk::Status::intersecting};
+  CHECK(judged(together, {Reply::line, "distance 4"}, {}).verdict == Verdict::wrong_no);
+}
+
+TEST_CASE("Judge: who tells wrong distances is told which they are, of the worst by how much, and in a column") {
+  for (const auto& [fault, name] : {std::pair{"squared", "it tells the square of the distance"},
+                                    std::pair{"scaled", "it tells 2.5 times the distance"},
+                                    std::pair{"vertices", "it tells the distance between the nearest vertices"},
+                                    std::pair{"means", "it tells the distance between the centers"},
+                                    std::pair{"boxes", "it tells the distance between the centers"}}) {
+    INFO(fault);
+    const Judgement found = judged_by_distances(fault);
+    CHECK(found.all.of(Verdict::wrong_distance) > 100);
+    CHECK(found.all.of(Verdict::wrong_distance) == found.all.faults());
+    const std::vector<Cause> causes = probable_causes(program({"false"}), found, {});
+    REQUIRE_FALSE(causes.empty());
+    CHECK(causes.front().name == name);
+    CHECK(causes.size() <= 2);  // of points centers and vertices are the same
+  }
+  const Judgement noise = judged_by_distances("noise");
+  CHECK(noise.all.of(Verdict::wrong_distance) > 100);
+  CHECK(probable_causes(program({"false"}), noise, {}).empty());
+  CHECK(judged_by_distances("little").is_good());
+  const std::string screen = first_screen({"./mine", "", noise, {}});
+  for (const char* const part : {" wrong distance\nworst: ", ": they are apart by ", " of their size, and it says 0."})
+    CHECK(screen.find(part) != std::string::npos);
+  CHECK(table({"./mine", "", noise, {}}).find("| wrong no | wrong distance | undecided |") != std::string::npos);
+  CHECK(noise.faults.front().starts_with("wrong distance "));
 }
 
 TEST_CASE("Judge: pairs rounded to floats have their own truth; in the plane every z is 0") {
@@ -152,11 +261,12 @@ TEST_CASE("Judge: a cause is named where one is planted", "[full][unsanitized]")
       {"order_ab", "what comes after the first 4 points of b is not looked at"},
       {"order_points", "the last point of a and of b is not looked at"},
       {"floats", "it computes in floats"},
-      {"depth", "it compares boxes along the axes"}};
+      {"depth", "it compares boxes along the axes"},
+      {"hollow", "a set inside the other is taken for apart"}};
   for (const auto& [fault, name] : expected) {
     INFO(fault);
     const AskedProgram asked = planted(fault);
-    const Judgement found = judge(asked, cases_of(kept(), families_of_points(), 100, 1, {}), {}, 10, [](auto, auto) {});
+    const Judgement found = judged_on_all(asked);
     const std::vector<Cause> causes = probable_causes(asked, found, {});
     REQUIRE_FALSE(causes.empty());
     CHECK(causes.front().name.starts_with(name));

@@ -14,6 +14,7 @@
 //     order_points   the last point of each shape is never looked at
 //     floats         all arithmetic is in float
 //     depth          only bounding boxes are compared
+//     hollow         a set inside the other is a miss; "hollow,m14" is m14 of such a program
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,11 +27,15 @@ using Points = std::vector<std::array<double, 3>>;
 
 void judge_step(const std::array<double, 3>& searched_along, const Points& simplex);
 
+static bool is_hollow = false, is_faithful_for_now = false;
+
 static std::string fault_asked_for() {
   static const char* const others[] = {"none",        "tolerance", "contact",      "planar", "limit", "nan",
                                        "translation", "order_ab",  "order_points", "floats", "depth"};
   const char* const asked = std::getenv("FAULT");
-  const std::string fault = asked == nullptr ? "none" : asked;
+  std::string fault = asked == nullptr ? "none" : asked;
+  is_hollow = fault.rfind("hollow", 0) == 0;
+  if (is_hollow) fault = fault == "hollow" ? "none" : fault.substr(7);
   for (const char* other : others)
     if (fault == other) return fault;
   for (int i = 1; i <= 21; ++i)
@@ -41,7 +46,7 @@ static std::string fault_asked_for() {
 
 static bool has(const char* fault) {
   static const std::string planted = fault_asked_for();
-  return planted == fault;
+  return planted == fault && !is_faithful_for_now;
 }
 
 template <class T>
@@ -237,8 +242,28 @@ static bool is_far_away(const Points& a, const Points& b) {
   return false;
 }
 
+/// For FAULT=hollow: all points of a, and some to each side of these, are in b.
+static bool lies_inside(const Points& a, const Points& b) {
+  for (const auto& p : a)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double by : {1e-9, -1e-9}) {
+        Points beside{p};
+        beside[0][axis] += by * (1 + std::abs(p[axis]));
+        if (!Gjk<double>(beside, b).intersect()) return false;
+      }
+  return true;
+}
+
+static bool one_is_inside(const Points& a, const Points& b) {
+  is_faithful_for_now = true;
+  const bool found = lies_inside(a, b) || lies_inside(b, a);
+  is_faithful_for_now = false;
+  return found;
+}
+
 bool collide(const Points& a, const Points& b) {
   if (has("depth")) return boxes_overlap(a, b);
   if (has("translation") && is_far_away(a, b)) return false;
-  return has("floats") ? Gjk<float>(a, b).intersect() : Gjk<double>(a, b).intersect();
+  const bool meet = has("floats") ? Gjk<float>(a, b).intersect() : Gjk<double>(a, b).intersect();
+  return meet && !(is_hollow && one_is_inside(a, b));
 }
