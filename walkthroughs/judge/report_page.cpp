@@ -109,10 +109,10 @@ std::string table_html(const Row& columns, const std::vector<Row>& rows, const R
 /// Families with faults first; all others are folded away.
 std::string families_html(const Told& told) {
   const std::string others = table_html(told.columns, told.without_faults, nullptr);
+  const std::string count = std::to_string(told.without_faults.size());
   return table_html(told.columns, told.with_faults, &told.all) +
          (others.empty() ? ""
-                         : "<details><summary>" + std::to_string(told.without_faults.size()) +
-                               " families without a fault</summary>\n" + others + "</details>\n");
+                         : "<details><summary>Without a fault: " + count + "</summary>\n" + others + "</details>\n");
 }
 
 }  // namespace
