@@ -79,8 +79,8 @@ std::string pairs_html(const Told& told, const Pictures& pictures) {
 std::string step_html(const Pictures& pictures) {
   const auto step = pictures.find(first_wrong_step);
   if (step == pictures.end()) return "";
-  return "<div class=\"cards\"><div class=\"card\">\n" + picture_html(step->first, step->second) + "<p>" +
-         link_to(std::string(first_wrong_step) + "/" + page_file, "all steps") + "</p>\n</div></div>\n";
+  return "<div class=\"card first\">\n" + picture_html(step->first, step->second) + "<p>" +
+         link_to(std::string(first_wrong_step) + "/" + page_file, "all steps") + "</p>\n</div>\n";
 }
 
 // -- The table --------------------------------------------------------------------------------------------------------
