@@ -248,13 +248,14 @@ const Row columns{"family",         "pairs",     "wrong yes", "wrong no",
 constexpr std::ptrdiff_t of_distances = 4;
 
 Row row_of(const Tally& tally) {
-  const std::uint64_t none = tally.faults() - tally.wrong() - tally.false_evidence;
+  const std::uint64_t open = tally.of(Verdict::undecided),
+                      none = tally.faults() - tally.wrong() - open - tally.false_evidence;
   return {message_line(tally.family),
           count(tally.pairs),
           count(tally.of(Verdict::wrong_yes)),
           count(tally.of(Verdict::wrong_no)),
           count(tally.of(Verdict::wrong_distance)),
-          count(tally.of(Verdict::undecided)),
+          count(open),
           count(none),
           tally.wrong() > 0 ? size_text(tally.worst) : ""};
 }

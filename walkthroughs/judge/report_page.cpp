@@ -79,8 +79,8 @@ std::string pairs_html(const Told& told, const Pictures& pictures) {
 std::string step_html(const Pictures& pictures) {
   const auto step = pictures.find(first_wrong_step);
   if (step == pictures.end()) return "";
-  return "<div class=\"cards\"><div class=\"card\">\n" + picture_html(step->first, step->second) + "<p>" +
-         link_to(std::string(first_wrong_step) + "/" + page_file, "all steps") + "</p>\n</div></div>\n";
+  return "<div class=\"card first\">\n" + picture_html(step->first, step->second) + "<p>" +
+         link_to(std::string(first_wrong_step) + "/" + page_file, "all steps") + "</p>\n</div>\n";
 }
 
 // -- The table --------------------------------------------------------------------------------------------------------
@@ -109,10 +109,10 @@ std::string table_html(const Row& columns, const std::vector<Row>& rows, const R
 /// Families with faults first; all others are folded away.
 std::string families_html(const Told& told) {
   const std::string others = table_html(told.columns, told.without_faults, nullptr);
+  const std::string count = std::to_string(told.without_faults.size());
   return table_html(told.columns, told.with_faults, &told.all) +
          (others.empty() ? ""
-                         : "<details><summary>" + std::to_string(told.without_faults.size()) +
-                               " families without a fault</summary>\n" + others + "</details>\n");
+                         : "<details><summary>Without a fault: " + count + "</summary>\n" + others + "</details>\n");
 }
 
 }  // namespace

@@ -103,13 +103,15 @@ void ReportFolder::add_written(Places& places) const {
 }
 
 void ReportFolder::expect_possible() const {
+  const Studio can_draw{backend};  // which leaves nothing behind where it cannot
   constexpr const char* elsewhere = "choose another with --report";
   render::make_folder(folder, elsewhere);
-  render::expect_writable(fs::path(folder) / report_file);
+  std::vector<std::string> files = index_file_names(true);
+  files.push_back(report_file);
+  for (const std::string& name : files) render::expect_writable(fs::path(folder) / name);
   for (const std::string& name : possible_names())
     if (std::error_code unknown; fs::exists(fs::path(folder) / name, unknown))
       render::make_folder(fs::path(folder) / name, elsewhere);
-  const Studio can_draw{backend};
 }
 
 fs::path ReportFolder::write(const judge::Report& report, const Story* first_wrong_step) const {
