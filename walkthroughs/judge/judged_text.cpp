@@ -122,7 +122,8 @@ std::string cause_line(const Report& report) {
 /// Returns: nothing where nothing follows from the cause.
 std::string what_to_do(const Report& report, const Cause& cause) {
   if (!cause.mistake.empty()) return "gjkstep render mistakes/" + cause.mistake;
-  return cause.option.empty() ? "" : command(report, cause.option);
+  const bool is_given = report.options.find(cause.option) != std::string::npos;
+  return cause.option.empty() || is_given ? "" : command(report, cause.option);
 }
 
 std::string next_line(const Report& report) {
