@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/certified/certified.hpp"
 #include "core/certified/check.hpp"
 #include "core/certified/dyadic.hpp"
 #include "walkthroughs/pairs/dice.hpp"
@@ -167,10 +168,11 @@ struct PlanesBetween {
   }
 };
 
+/// Requires: that they meet.
 PlanesBetween planes_between(const PointPair& pair) {
   const gjk::PointSet<double> a(pair.a), b(pair.b);
-  const auto simplex = std::get<gjk::CommonSimplex>(proven_answer(pair).certificate);
-  const gjk::detail::Fractions weights = *gjk::weights_of(simplex, a, b);
+  const auto simplex = std::get<gjk::CommonSimplex>(gjk::certified_collision(a, b).certificate);
+  const gjk::detail::Fractions weights = gjk::weights_of(simplex, a, b).value();
   std::vector<std::pair<const Vec*, const Vec*>> common;
   for (int i = 0; i < simplex.of.size(); ++i)
     if (weights[static_cast<std::size_t>(i)] > 0)

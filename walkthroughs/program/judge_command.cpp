@@ -303,7 +303,8 @@ std::string given_options(const CLI::App& command) {
     if (!option->get_name().starts_with("--") || is_of_places) continue;
     text += option->get_name() + " ";
     if (option->get_expected_max() > 0)
-      text += shell_word(joined(option->results(), ",", [](const auto& each) { return each; })) + " ";
+      text +=
+          joined(option->results(), ",", [](const auto& each) { return each == "-" ? each : shell_word(each); }) + " ";
   }
   return text;
 }

@@ -212,7 +212,7 @@ TEST_CASE(
     "Oracle: the judge's truth, and what it says only touches, are CGAL's on fresh pairs of every family of points, "
     "graded ones, too",
     "[oracle][unsanitized]") {
-  constexpr std::uint64_t seed = 47, of_each = 32;
+  constexpr std::uint64_t seed = 47, of_each = 512;
   int pairs = 0, meeting = 0, touching = 0;
   for (const auto* const list : {&families(), &walkthroughs::pairs::graded_families()})
     for (const Family& family : *list)

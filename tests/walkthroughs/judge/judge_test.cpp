@@ -42,9 +42,9 @@ Judgement judged_on_all(const AskedProgram& asked, const Standard& standard = {}
 }
 
 /// Some of which lie inside the other.
-Judgement judged_on_boxes(const AskedProgram& asked, const Standard& standard) {
-  return judge(asked, cases_of({}, {&family_named("boxes"), &family_named("hulls-8")}, 300, 1, standard.expected),
-               standard, 10, [](auto, auto) {});
+Judgement judged_on_sizes(const AskedProgram& asked, const Standard& standard) {
+  return judge(asked, cases_of({}, {&family_named("sizes-1e3")}, 100, 1, standard.expected), standard, 10,
+               [](auto, auto) {});
 }
 
 TEST_CASE("Judge: certified answers are right on all kept pairs, with evidence that holds") {
@@ -92,7 +92,7 @@ TEST_CASE("Judge: within a tolerance an answer is counted apart; contact is what
 TEST_CASE(
     "Judge: who knows only surfaces is wrong where one set is inside the other, and is told so, unless that is right") {
   const AskedProgram asked = planted("hollow");
-  const Judgement solid = judged_on_boxes(asked, {});
+  const Judgement solid = judged_on_sizes(asked, {});
   REQUIRE(solid.all.of(Verdict::wrong_no) > 3);
   CHECK(solid.all.wrong() == solid.all.of(Verdict::wrong_no));
   const std::vector<Cause> causes = probable_causes(asked, solid, {});
@@ -100,16 +100,16 @@ TEST_CASE(
   CHECK(causes.front().name == "a set inside the other is taken for apart");
   CHECK(causes.front().option == "--solid no");
   for (const Called called : {Called::separated, Called::either})
-    CHECK(judged_on_boxes(asked, {.inside = called}).is_good());
+    CHECK(judged_on_sizes(asked, {.inside = called}).is_good());
 
   const Standard hollow{.inside = Called::separated};
-  const Judgement filled = judged_on_boxes(planted("none"), hollow);
+  const Judgement filled = judged_on_sizes(planted("none"), hollow);
   CHECK(filled.all.of(Verdict::wrong_yes) == solid.all.of(Verdict::wrong_no));
   for (const Judged& each : filled.worst) CHECK(each.how_far.is_bound);
   CHECK(first_screen({"./mine", "", filled, {}}).find("deep in each other, and it says yes") != std::string::npos);
   CHECK(probable_causes(planted("none"), filled, hollow).front().name ==
         "a set inside the other is taken for an intersection");
-  CHECK(judged_on_boxes(planted("none"), {.inside = Called::either}).is_good());
+  CHECK(judged_on_sizes(planted("none"), {.inside = Called::either}).is_good());
 }
 
 TEST_CASE("Judge: what sets inside each other are called changes no other cause", "[full][unsanitized]") {
@@ -181,7 +181,7 @@ TEST_CASE("Judge: who tells wrong distances is told which they are, of the worst
   CHECK(probable_causes(program({"false"}), noise, {}).empty());
   CHECK(judged_by_distances("little").is_good());
   const std::string screen = first_screen({"./mine", "", noise, {}});
-  for (const char* const part : {" wrong distance\nworst: ", ": they are apart by ", " of their size, and it says 0."})
+  for (const char* const part : {" wrong distance\nworst: ", ": they are apart by ", " of their size, and it says "})
     CHECK(screen.find(part) != std::string::npos);
   CHECK(table({"./mine", "", noise, {}}).find("| wrong no | wrong distance | undecided |") != std::string::npos);
   CHECK(noise.faults.front().starts_with("wrong distance "));
