@@ -407,6 +407,7 @@ Told told(const Report& report) {
   Told all{.verdict = verdict(report), .accepted = accepted_line(report), .columns = columns};
   for (const Cause& each : report.causes)
     all.causes.push_back({each.name, each.evidence, std::lround(100 * each.agreement), what_to_do(report, each)});
+  if (const LookedSearch* const shown = report.steps.shown()) all.first_wrong_step = words_of_first_wrong(*shown);
   all.pairs = told_pairs(report.judgement);
   for (const Tally& each : report.judgement.families)
     (each.faults() > 0 ? all.with_faults : all.without_faults).push_back(row_of(each));

@@ -76,6 +76,7 @@ using Row = std::vector<std::string>;
 struct Told {
   std::string verdict, accepted;
   std::vector<ToldCause> causes = {};
+  std::string first_wrong_step = {};                       ///< empty where there is none
   std::vector<ToldPair> pairs = {};                        ///< those without an answer, then the worst
   Row columns = {}, all = {};                              ///< of the table
   std::vector<Row> with_faults = {}, without_faults = {};  ///< a family each

@@ -76,11 +76,13 @@ std::string pairs_html(const Told& told, const Pictures& pictures) {
   return (pictures.empty() ? "" : intro) + "<ul class=\"cards\">\n" + items + "</ul>\n";
 }
 
-std::string step_html(const Pictures& pictures) {
-  const auto step = pictures.find(first_wrong_step);
-  if (step == pictures.end()) return "";
-  return "<div class=\"card first\">\n" + picture_html(step->first, step->second) + "<p>" +
-         link_to(std::string(first_wrong_step) + "/" + page_file, "all steps") + "</p>\n</div>\n";
+std::string step_html(const Told& told, const Pictures& pictures) {
+  if (told.first_wrong_step.empty()) return "";
+  const std::string html = element("p", told.first_wrong_step);
+  const auto step = pictures.find(parting_name);  // not there where what it tells are no numbers
+  if (step == pictures.end()) return html;
+  return html + "<div class=\"card first\">\n" + picture_html(step->first, step->second) + "<p>" +
+         link_to(std::string(parting_name) + "/" + page_file, "all steps") + "</p>\n</div>\n";
 }
 
 // -- The table --------------------------------------------------------------------------------------------------------
@@ -126,7 +128,7 @@ std::string report_page(const Report& report, const Pictures& pictures) {
   std::string sections = told.accepted.empty() ? "" : element("p", told.accepted);
   for (const auto& [id, title, html] :
        {Section{"causes", "Probable causes", causes_html(told, report.judgement.all.wrong() > 0)},
-        Section{"step", "The first wrong step", step_html(pictures)},
+        Section{"step", "The first wrong step", step_html(told, pictures)},
         Section{"pairs", "The worst pairs", pairs_html(told, pictures)},
         Section{"families", "Families of pairs", families_html(told)},
         Section{"behaviour", "How it behaves", notes_html(told)}}) {

@@ -16,10 +16,7 @@ struct ShownPicture {
   PageJson cut;              ///< what of it is shown, as index_entry() says it
 };
 
-/// The walkthrough of this name stands above the worst pairs.
-inline constexpr const char* first_wrong_step = "first-wrong-step";
-
-/// Returns: the page, in UTF-8. It asks for nothing but pictures. `pictures`: by the names of their walkthroughs; of a pair that
+/// Returns: the page, in UTF-8, the walkthrough called parting_name above the worst pairs. It asks for nothing but pictures. `pictures`: by the names of their walkthroughs; of a pair that
 /// is saved as 1.json that is "1". Requires: report.shown; a picture for each pair that can be drawn.
 std::string report_page(const Report& report, const std::map<std::string, ShownPicture>& pictures);
 

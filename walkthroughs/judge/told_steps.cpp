@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_of_kind = 60;        // samples of right answers, and of wrong ones
 constexpr std::size_t most_steps_of_one = 200;  // told of a search
-constexpr std::size_t easily_followed = 20;
+constexpr int easily_followed = 20;             // iterations
 
 /// Says so to what this process starts, as long as it lives.
 class AsksForSteps {
@@ -51,7 +51,8 @@ class Looking {
 
   StepsLooked take_all() {
     std::ranges::stable_sort(looked_.found, {}, [](const LookedSearch& each) {
-      return std::tuple(each.is_answered_rightly, each.run.steps.size() > easily_followed,
+      const StepFinding* const wrong = first_wrong(each.findings);
+      return std::tuple(each.is_answered_rightly, wrong && wrong->iteration > easily_followed,
                         each.run.pair.a.size() + each.run.pair.b.size());
     });
     return std::move(looked_);
@@ -160,9 +161,14 @@ void add_cause(const StepsLooked& looked, std::vector<Cause>& causes) {
     return;
   }
   const auto& known = wrong_on_purpose::all()[static_cast<std::size_t>(most - looked.by_mistake.begin())];
-  causes.insert(causes.begin(), {wrong_on_purpose::number_of(known.value) + ": " + std::string(known.meaning),
-                                 "the first wrong step of " + of(*most, looked.wrong) + " searches follows from it",
-                                 share, std::string(known.word)});
+  Cause cause{wrong_on_purpose::number_of(known.value) + ": " + std::string(known.meaning),
+              "the first wrong step of " + of(*most, looked.wrong) + " searches follows from it", share,
+              std::string(known.word)};
+  if (const auto same = std::ranges::find(causes, cause.mistake, &Cause::mistake); same != causes.end()) {
+    cause.evidence += "; " + same->evidence;
+    causes.erase(same);
+  }
+  causes.insert(causes.begin(), std::move(cause));
 }
 
 }  // namespace walkthroughs::judge

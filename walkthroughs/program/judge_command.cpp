@@ -273,9 +273,7 @@ int JudgeCommand::run() const {
                            : judge::first_screen(found))
             << std::flush;
   if (shown) {
-    const std::optional<Parting> parting = judge::parting_of(found.steps);
-    const std::optional<Story> story = parting ? std::optional(parting->story()) : std::nullopt;
-    const std::filesystem::path page = report_folder().write(found, story ? &*story : nullptr);
+    const std::filesystem::path page = report_folder().write(found);
     if (!as_json && !as_table && !as_steps) std::cout << "open " << printable(page.string()) << '\n';
   }
   used.tidy_manifests();

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -59,7 +60,7 @@ RenderOptions options_of(const ReportFolder& to) {
 
 /// Returns: the names of all walkthroughs that a report may show.
 std::vector<std::string> possible_names() {
-  std::vector<std::string> names{judge::first_wrong_step};
+  std::vector<std::string> names{parting_name};
   for (std::size_t i = 1; i <= kept_worst + judge::most_failed; ++i) names.push_back(std::to_string(i));
   return names;
 }
@@ -95,7 +96,7 @@ void ReportFolder::add_written(Places& places) const {
   std::vector<Chosen> possible;
   for (const std::string& name : possible_names()) {
     possible.emplace_back().walkthrough.name = name;
-    if (name != judge::first_wrong_step) possible.back().file = fs::path(folder) / (name + ".json");
+    if (name != parting_name) possible.back().file = fs::path(folder) / (name + ".json");
   }
   program::add_written(places, options_of(*this), possible);
   places.write_into(folder, {scene_files}, "the scenes of --report");
@@ -114,10 +115,12 @@ void ReportFolder::expect_possible() const {
       render::make_folder(fs::path(folder) / name, elsewhere);
 }
 
-fs::path ReportFolder::write(const judge::Report& report, const Story* first_wrong_step) const {
+fs::path ReportFolder::write(const judge::Report& report) const {
   remove_outputs(folder, {report_file});  // which tells of what is replaced now
   write_scenes(folder, report.judgement);
-  const std::vector<Chosen> chosen = chosen_for(report, first_wrong_step);
+  const std::optional<Parting> parting = judge::parting_of(report.steps);
+  const std::optional<Story> step = parting ? std::optional(parting->story()) : std::nullopt;
+  const std::vector<Chosen> chosen = chosen_for(report, step ? &*step : nullptr);
   for (const std::string& name : possible_names())
     if (std::ranges::none_of(chosen, [&](const Chosen& each) { return each.walkthrough.name == name; }))
       discard(fs::path(folder) / name);

@@ -8,7 +8,6 @@
 #include "render/offscreen_context.hpp"
 #include "walkthroughs/judge/judged_text.hpp"
 #include "walkthroughs/program/places.hpp"
-#include "walkthroughs/story/story.hpp"
 
 namespace walkthroughs::program {
 
@@ -30,12 +29,11 @@ struct ReportFolder {
   /// Errors: render::FileError, render::ContextError.
   void expect_possible() const;
 
-  /// `first_wrong_step`: a story that has been told, of a walkthrough with that name (report_page.hpp), or null. Its frame where
-  /// searches part, else its last, stands above the worst pairs.
-  /// Returns: report.html, which is written last: a run that is interrupted leaves none.
+  /// Returns: report.html, which is written last: a run that is interrupted leaves none. The first wrong step of those that the
+  /// program tells stands above the worst pairs.
   /// Requires: report.shown is the folder. Errors: render::FileError, render::ContextError; UsageError where files of others
   /// have come since.
-  std::filesystem::path write(const judge::Report& report, const Story* first_wrong_step = nullptr) const;
+  std::filesystem::path write(const judge::Report& report) const;
 };
 
 }  // namespace walkthroughs::program

@@ -11,7 +11,7 @@
 namespace walkthroughs::steps {
 namespace {
 
-const std::string own_name = "yours", parting_name = "first-wrong-step";
+const std::string own_name = "yours";
 
 bool is_planar(const ToldRun& run) {
   const auto flat = [](const Points& points) {

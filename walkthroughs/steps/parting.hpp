@@ -11,6 +11,9 @@
 
 namespace walkthroughs::steps {
 
+/// The name of such a walkthrough.
+inline constexpr const char* parting_name = "first-wrong-step";
+
 /// A walkthrough of two scenes, and their traces.
 struct Parting {
   Walkthrough walkthrough;

@@ -4,9 +4,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/folder.hpp"
 #include "tests/kit/text.hpp"
-#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/judge/report_page.hpp"
-#include "walkthroughs/story/storyboard.hpp"
 
 namespace walkthroughs::program {
 namespace {
@@ -40,9 +38,9 @@ judge::Report report_in(const std::filesystem::path& folder, const std::vector<j
   return report;
 }
 
-std::filesystem::path written(const ReportFolder& to, const judge::Report& report, const Story* step = nullptr) {
+std::filesystem::path written(const ReportFolder& to, const judge::Report& report) {
   to.expect_possible();
-  return to.write(report, step);
+  return to.write(report);
 }
 
 TEST_CASE("Report: the worst pairs are saved, drawn and told of, and texts of others are text") {
@@ -82,13 +80,19 @@ TEST_CASE("Report: the worst pairs are saved, drawn and told of, and texts of ot
 TEST_CASE("Report: the first wrong step stands above the worst pairs, with its own page") {
   const kit::Folder folder;
   const ReportFolder to{folder.path().string()};
-  Walkthrough walkthrough = *find_walkthrough("mistakes/m14-order-below-triangle");
-  walkthrough.name = judge::first_wrong_step;
-  const Story step = tell(walkthrough);
-  const std::size_t place = step.parting().value();
-  REQUIRE(place + 1 < step.frames.size());
-  const std::string html = bytes_of(written(to, report_in(folder.path(), {wrong_yes("first")}), &step));
+  // M14: an order that should have been changed.
+  const ToldRun run{"m14 & 1",
+                    {{{0, 1, 1}, {0, -1, -1}}, {{1, 0, 1}, {0, 1, 0}, {-1, -1, -1}}},
+                    {{{1, 0, 0}, {{1, 2, 2}}},
+                     {{-1, -2, -2}, {{1, 2, 2}, {-1, -1, -2}}},
+                     {{3, -10, 6}, {{1, 2, 2}, {-1, -1, -2}, {0, -2, -1}}},
+                     {{-7, -2, 5}, {{0, -2, -1}, {-1, 1, 0}}}}};
+  judge::Report report = report_in(folder.path(), {wrong_yes("first")});
+  report.steps.found = {{run, check_steps(run)}};
+  const std::size_t place = judge::parting_of(report.steps)->story().parting().value();
+  const std::string html = bytes_of(written(to, report));
   const std::string number = std::to_string(place + 1);
+  CHECK(has(html, "<p>m14 &amp; 1, iteration 3: keeps [C, B, A] where the report keeps [C, A, B]"));
   CHECK(html.find("<h2>The first wrong step</h2>") < html.find("<h2>The worst pairs</h2>"));
   CHECK(has(html, "href=\"first-wrong-step/index.html#" + number + "\""));
   CHECK(has(html,
