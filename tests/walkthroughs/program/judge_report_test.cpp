@@ -14,6 +14,7 @@ using kit::bytes_of, kit::has, kit::listing;
 /// Two points that are apart, and a program that says yes.
 judge::Judged wrong_yes(const std::string& name) {
   judge::Judged judged{.asked = {name, "points", {{{0, 0, 0}}, {{1, 0, 0}}}, gjk::Status::separated},
+                       .said = judge::Said::intersecting,
                        .verdict = judge::Verdict::wrong_yes};
   judged.how_far = {.length = 1, .relative = 1};
   return judged;
@@ -86,10 +87,13 @@ TEST_CASE("Report: the first wrong step stands above the worst pairs, with its o
                     {{{1, 0, 0}, {{1, 2, 2}}},
                      {{-1, -2, -2}, {{1, 2, 2}, {-1, -1, -2}}},
                      {{3, -10, 6}, {{1, 2, 2}, {-1, -1, -2}, {0, -2, -1}}},
-                     {{-7, -2, 5}, {{0, -2, -1}, {-1, 1, 0}}}}};
+                     {{-7, -2, 5}, {{0, -2, -1}, {-1, 1, 0}}}},
+                    gjk::Status::separated};
   judge::Report report = report_in(folder.path(), {wrong_yes("first")});
   report.steps.found = {{run, check_steps(run)}};
-  const std::size_t place = judge::parting_of(report.steps)->story().parting().value();
+  const auto parting = judge::parting_of(report.steps);
+  REQUIRE(parting);
+  const std::size_t place = parting->story().parting().value();
   const std::string html = bytes_of(written(to, report));
   const std::string number = std::to_string(place + 1);
   CHECK(has(html, "<p>m14 &amp; 1, iteration 3: keeps [C, B, A] where the report keeps [C, A, B]"));
