@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/certified/check.hpp"
+#include "walkthroughs/steps/told_run.hpp"
 #include "walkthroughs/text/document.hpp"
 #include "walkthroughs/text/printable.hpp"
 
@@ -197,7 +198,7 @@ bool is_object(std::string_view line) { return plain_word(line).starts_with('{')
 }  // namespace
 
 bool is_meant_as_answer(std::string_view line) {
-  return is_object(line) || answer_of_word(plain_word(line)).said != Said::nothing;
+  return (is_object(line) && !is_meant_as_step(line)) || answer_of_word(plain_word(line)).said != Said::nothing;
 }
 
 ProgramAnswer read_answer(std::string_view line, const Pair& pair) {

@@ -86,7 +86,9 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
   return samples;
 }
 
-constexpr std::size_t enough_wrong = 3;   // fewer may be so by chance
+constexpr std::size_t enough_wrong = 3;  // fewer may be so by chance
+constexpr double beyond_doubles =
+    1e-11;  // of the size: no search in doubles misses that by rounding, unless it is flat
 constexpr double enough_of_limit = 0.95;  // whoever fails at many simplices looks a little like it
 
 /// Of the samples that a program with some fault, or this one, answers wrongly, those that both do.
@@ -236,17 +238,18 @@ class Search {
   void look_at_rounding() {
     const auto is_beyond_doubles = [](const Sample& each) {
       const double size = largest_number(each.judged->asked.pair);
-      return each.is_wrong && !each.misleads_the_report() && each.judged->how_far.relative > 1e-13 && size > small &&
-             size < large;
+      return each.is_wrong && !each.misleads_the_report() && each.judged->how_far.relative > beyond_doubles &&
+             size > small && size < large;
     };
     const auto beyond = static_cast<std::size_t>(std::ranges::count_if(samples_, is_beyond_doubles));
     const bool in_floats = 10 * beyond > wrong_;
-    causes_.push_back({in_floats ? "it computes in floats" : "nothing but rounding in doubles, and cycles",
-                       "all " + std::to_string(wrong_) +
-                           " wrong answers looked at are near contact, have numbers beyond 1e±9, or mislead the "
-                           "report's algorithm, too" +
-                           (in_floats ? "; doubles would tell " + std::to_string(beyond) + " of them" : ""),
-                       1, "", in_floats ? "--numbers float" : "--tolerance 1e-9"});
+    causes_.push_back(
+        {in_floats ? "it computes in floats" : "nothing but rounding in doubles, and cycles",
+         "all " + std::to_string(wrong_) +
+             " wrong answers looked at are near contact, have numbers beyond 1e±9, or mislead the "
+             "report's algorithm, too" +
+             (in_floats ? "; doubles would tell " + std::to_string(beyond) + " of them" : "; no line seems wrong"),
+         1, "", in_floats ? "--numbers float" : "--tolerance 1e-9", Cause::rounding});
   }
 
   void look_at_searches() {
@@ -410,8 +413,8 @@ class Search {
       double others = 0;
       for (const Try& other : tries)
         if (&other != &each) others = std::max(others, other.changed.mended_share());
-      causes_.push_back(
-          {each.name, each.change + ", " + words_of(each.changed), others > 0.5 ? 0 : each.changed.mended_share()});
+      causes_.push_back({each.name, each.change + ", " + words_of(each.changed),
+                         others > 0.5 ? 0 : each.changed.mended_share(), "", "", Cause::symptom});
     }
   }
 

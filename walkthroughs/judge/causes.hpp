@@ -15,6 +15,8 @@ struct Cause {
   double agreement = 0;      ///< from 0 to 1: how much of what is wrong it explains, and nothing else
   std::string mistake = {};  ///< the word of one of wrong_on_purpose::all(), where it is one
   std::string option = {};   ///< of the command line, with which it does not count
+  /// Rounding is what is left where nothing else is clearly wrong; a symptom is what comes of any broken search.
+  enum Rank { reason, rounding, symptom } rank = reason;
 };
 
 /// Below it a cause is not named.

@@ -113,8 +113,8 @@ class Hearing {
         each.verdict == Verdict::right || is_wrong(each.verdict) || each.verdict == Verdict::within_tolerance;
     if (is_wrong(each.verdict)) keep_if_worst(each);
     if (is_fault(each.verdict) || each.false_evidence) judgement_.faults.push_back(fault_line(each));
-    if (is_fault(each.verdict) && !is_answer && judgement_.failed.size() < most_failed)
-      judgement_.failed.push_back(each);
+    auto& list = each.verdict == Verdict::undecided ? judgement_.open : judgement_.failed;
+    if (is_fault(each.verdict) && !is_answer && list.size() < most_failed) list.push_back(each);
     const int kind = each.verdict == Verdict::wrong_distance ? 2 : is_wrong(each.verdict) ? 1 : 0;
     if (is_answer && samples_[{each.asked.family, kind}]++ < most_samples_of_kind)
       judgement_.samples.push_back(std::move(each));

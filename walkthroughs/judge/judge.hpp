@@ -85,7 +85,7 @@ struct Tally {
   void add(const Judged& judged);
 };
 
-inline constexpr std::size_t most_failed = 10;  ///< pairs without an answer that are kept
+inline constexpr std::size_t most_failed = 10;  ///< pairs without an answer that are kept, and so many undecided ones
 
 struct Judgement {
   Tally all;
@@ -94,6 +94,7 @@ struct Judgement {
       worst;  ///< wrong answers, those of the worst power of a hundred first, the smallest of them before larger ones, and all
               ///< before numbers beyond 1e±8; at most so many as were wanted
   std::vector<Judged> failed;       ///< the first without an answer
+  std::vector<Judged> open;         ///< the first undecided ones
   std::vector<std::string> faults;  ///< all of them, each in a line: "wrong yes boxes-2"
   std::vector<Judged> samples;      ///< in which causes are looked for: answered, rightly and wrongly
   Replies replies;                  ///< how it behaved; without the lines

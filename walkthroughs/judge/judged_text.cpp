@@ -55,7 +55,8 @@ std::string verdict(const Report& report) {
     if (is_fault(static_cast<Verdict>(i))) add(all.counts[i], word(static_cast<Verdict>(i)));
   add(all.false_evidence, "right with evidence that proves nothing");
   if (all.of(Verdict::within_tolerance) > 0)
-    line += "; " + count(all.of(Verdict::within_tolerance)) + " more within the tolerance";
+    line += (all.faults() == 0 ? "; of these " : "; besides ") + count(all.of(Verdict::within_tolerance)) +
+            (all.of(Verdict::within_tolerance) == 1 ? " is" : " are") + " within the tolerance";
   if (found.passed_over > 0)
     line += "; " + count(found.passed_over) + " were not asked, as floats have no room for them";
   return line;
@@ -84,9 +85,15 @@ std::string what_came_of(const Judged& each) {
   return how_far_in_words(each) + ", and it says " + said_in_words(each);
 }
 
-/// A pair without an answer says more than a wrong one.
+/// A pair without an answer says more than a wrong one, and that more than one left open.
+std::array<const std::vector<Judged>*, 3> lists_of(const Judgement& found) {
+  return {&found.failed, &found.worst, &found.open};
+}
+
 const Judged* shown_pair(const Judgement& found) {
-  return !found.failed.empty() ? &found.failed.front() : !found.worst.empty() ? &found.worst.front() : nullptr;
+  for (const std::vector<Judged>* const list : lists_of(found))
+    if (!list->empty()) return &list->front();
+  return nullptr;
 }
 
 std::string worst_line(const Report& report) {
@@ -148,14 +155,17 @@ std::string last_line(const std::string& text) {
 
 /// What its steps are like; nothing where it tells none.
 std::string note_on_steps(const StepsLooked& steps) {
-  if (!steps.complaint.empty()) return "a line is meant as a step and is none: " + message_line(steps.complaint);
-  if (steps.searches == 0) return "";
+  const std::string complaint = message_line(steps.complaint);
+  if (steps.searches == 0) return complaint;
   std::string text =
       "it tells its steps, " + count(steps.steps) + " in " + count(steps.searches, "search", "searches") + ": " +
       (steps.wrong == 0 ? "none is wrong" : count(steps.wrong, "search has a wrong one", "searches have wrong ones"));
   if (steps.repaired > 0) text += ", of which " + count(steps.repaired, "is", "are") + " answered rightly all the same";
   if (steps.rounding > 0) text += "; in " + count(steps.rounding) + " rounding may be why the report makes another";
   if (steps.otherwise > 0) text += "; " + count(steps.otherwise) + " others are as right as the report's";
+  if (steps.without_steps > 0)
+    text += "; for " + count(steps.without_steps, "wrong answer", "wrong answers") + " it tells none";
+  if (!complaint.empty()) text += "; " + complaint;
   return text;
 }
 
@@ -219,13 +229,19 @@ std::string accepted_line(const Report& report) {
 
 // -- The pairs --------------------------------------------------------------------------------------------------------
 
+/// Without the rest of a letter that was cut.
+std::string whole_letters(std::string text) {
+  if (const auto cut = first_not_utf_8(text)) text.resize(*cut);
+  return text;
+}
+
 /// `number`: of the next file.
 ToldPair told_pair(const Judged& each, std::size_t number) {
   ToldPair pair{message_line(each.asked.name), what_came_of(each)};
   if (!can_be_drawn(each.asked.pair)) return pair;
   const std::string what =
       is_wrong(each.verdict) ? word(each.verdict) + ", " + how_far_in_words(each) : word(each.verdict);
-  const nlohmann::json title = (pair.name + ": " + what).substr(0, scene_limits::title);
+  const nlohmann::json title = whole_letters((pair.name + ": " + what).substr(0, scene_limits::title));
   pair.file = std::to_string(number) + ".json";
   pair.scene = "{\"title\":" + title.dump() + "," + bodies_in_line({each.asked.pair.a, each.asked.pair.b}) + "}\n";
   return pair;
@@ -234,7 +250,7 @@ ToldPair told_pair(const Judged& each, std::size_t number) {
 std::vector<ToldPair> told_pairs(const Judgement& judgement) {
   std::vector<ToldPair> pairs;
   std::size_t files = 0;
-  for (const std::vector<Judged>* const list : {&judgement.failed, &judgement.worst})
+  for (const std::vector<Judged>* const list : lists_of(judgement))
     for (const Judged& each : *list) {
       pairs.push_back(told_pair(each, files + 1));
       files += !pairs.back().file.empty();
@@ -368,7 +384,8 @@ std::string steps_text(const Report& report) {
   const StepsLooked& steps = report.steps;
   std::string text;
   for (const LookedSearch& search : steps.found)
-    for (const StepFinding& each : search.findings) {
+    for (std::set<std::string> told; const StepFinding& each : search.findings) {
+      if (!told.insert(each.words).second) continue;  // a search that goes round
       text += message_line(search.run.name) + ", iteration " + std::to_string(each.iteration) +
               (each.kind == StepFinding::otherwise ? ", as right: " : ": ") + message_line(each.words) + "\n";
       for (const std::size_t m : each.mistakes)
@@ -390,7 +407,7 @@ std::string json(const Report& report) {
               {"right", found.is_good()},      {"all", json_of(found.all)},
               {"families", families},          {"causes", causes},
               {"worst", list_of(found.worst)}, {"failed", list_of(found.failed)},
-              {"notes", note_lines(report)}};
+              {"open", list_of(found.open)},   {"notes", note_lines(report)}};
   if (report.steps.searches > 0 || !report.steps.complaint.empty()) all["steps"] = json_of(report.steps);
   if (report.accepted) all["new"] = report.accepted->news(found);
   return all.dump(1) + "\n";

@@ -212,8 +212,8 @@ class Talk {
  public:
   using Counts = std::function<bool(std::string_view)>;
 
-  Talk(Streams&& streams, std::span<const std::string> questions, const Counts& counts, std::size_t most)
-      : streams_(std::move(streams)), questions_(questions), counts_(counts), most_lines_(most * questions.size()) {
+  Talk(Streams&& streams, std::span<const std::string> questions, const Counts& counts, const AlsoKept& also)
+      : streams_(std::move(streams)), questions_(questions), counts_(counts), also_(also) {
     for (const File* const file : {&streams_.in.write, &streams_.out.read, &streams_.err.read})
       ::fcntl(file->get(), F_SETFL, O_NONBLOCK);
     take_question();
@@ -242,7 +242,7 @@ class Talk {
 
   bool output_is_open() const { return streams_.out.read.is_open(); }
   bool input_was_refused() const { return input_was_refused_; }
-  bool has_too_many_lines() const { return lines_seen_ > most_lines_ || has_too_many_others_; }
+  bool has_too_many_lines() const { return lines_seen_ > questions_.size() || has_too_many_others_; }
   bool has_long_line() const { return line_.size() > longest_line; }
   bool is_flooded() const { return has_too_many_lines() || has_long_line(); }
 
@@ -293,19 +293,24 @@ class Talk {
 
   void take_line(RunOfProgram& run) {
     if (counts_(line_)) {
-      if (++lines_seen_ <= most_lines_) run.lines.push_back(line_);
-      return;
+      if (++lines_seen_ > questions_.size()) return;
+      ++run.answers;
+      return run.lines.push_back(line_);
+    }
+    if (also_.counts(line_)) {
+      has_too_many_others_ = ++also_seen_ > also_.most * questions_.size();
+      return run.lines.push_back(line_);
     }
     if (run.others++ == 0) run.first_other = line_;
-    has_too_many_others_ = run.others > most_others * (questions_.size() + 10);
+    has_too_many_others_ = has_too_many_others_ || run.others > most_others * (questions_.size() + 10);
   }
 
   static constexpr std::uint64_t most_others = 100;  // for each question
   Streams streams_;
   std::span<const std::string> questions_;
   const Counts& counts_;
-  std::size_t most_lines_;
-  std::size_t next_ = 0, lines_seen_ = 0;
+  const AlsoKept& also_;
+  std::size_t next_ = 0, lines_seen_ = 0, also_seen_ = 0;
   bool has_too_many_others_ = false;
   std::string unwritten_, line_;
   bool input_was_refused_ = false;
@@ -328,7 +333,7 @@ std::optional<int> status_of(pid_t child) {
 
 RunOfProgram run_program(const std::vector<std::string>& words, std::span<const std::string> questions,
                          std::chrono::milliseconds limit, const std::function<bool(std::string_view)>& counts,
-                         std::size_t most) {
+                         const AlsoKept& also) {
   const KeptBack signals;
   const NoSigpipe no_sigpipe;
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
@@ -336,7 +341,7 @@ RunOfProgram run_program(const std::vector<std::string>& words, std::span<const 
   const std::vector<pid_t> before = own_children();
   Streams streams;
   const pid_t group = start_watching(), child = start(words, streams, group, signals);
-  Talk talk(std::move(streams), questions, counts, most);
+  Talk talk(std::move(streams), questions, counts, also);
   RunOfProgram run;
   std::optional<int> status;
   for (Clock::time_point late = Clock::now() + limit;
@@ -359,7 +364,7 @@ RunOfProgram run_program(const std::vector<std::string>& words, std::span<const 
     run.end = End::flooding;
   else if (talk.has_long_line())
     run.end = End::long_line;
-  else if (run.lines.size() < questions.size())
+  else if (run.answers < questions.size())
     run.end = status ? End::ended : End::late;
   else
     run.outlives_its_input = !status;

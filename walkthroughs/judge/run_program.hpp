@@ -28,9 +28,11 @@ enum class End {
 };
 
 struct RunOfProgram {
-  std::vector<std::string> lines;  ///< of its standard output that count, at most as many as may be; without line feeds
-  std::uint64_t others = 0;        ///< lines that do not count
-  std::string first_other;         ///< of these
+  std::vector<std::string>
+      lines;                 ///< of its standard output that are kept, at most as many as may be; without line feeds
+  std::size_t answers = 0;   ///< of these
+  std::uint64_t others = 0;  ///< lines that do not count
+  std::string first_other;   ///< of these
   End end = End::answered;
   std::string
       how;  ///< "signal 11 (Segmentation fault)", "exit code 1"; where it ended by itself, also after its last answer
@@ -42,17 +44,23 @@ struct RunOfProgram {
   std::string said;                   ///< the end of what it wrote to standard error
 };
 
+/// Lines that are kept beside answers, so many a question; more end the program, as answers do.
+struct AlsoKept {
+  std::function<bool(std::string_view)> counts = [](std::string_view) { return false; };
+  std::size_t most = 0;
+};
+
 /// Starts the program, found as a shell finds it, writes the questions, one a line, closes its standard input, and reads until
 /// it ends, or too long no further line comes. Then nothing that it has started is left, processes that left its group among
 /// them; nor is it where this process is ended meanwhile. Where SIGKILL ends it, only what has left the group is left.
 /// Children that this process had before are left alone.
 ///
-/// `counts`: which lines are wanted; `most`: so many of these a question. Of others there may be a hundred a question; they do not
-/// lengthen the time limit.
+/// `counts`: which lines are answers. `also`: lines that are kept in their places among these. Of others there may be a hundred a
+/// question. None but answers lengthen the time limit.
 ///
 /// Requires: no other thread of this process starts children meanwhile. Errors: CannotStart; std::system_error.
 RunOfProgram run_program(const std::vector<std::string>& words, std::span<const std::string> questions,
                          std::chrono::milliseconds limit, const std::function<bool(std::string_view)>& counts,
-                         std::size_t most = 1);
+                         const AlsoKept& also = {});
 
 }  // namespace walkthroughs::judge

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t most_of_kind = 60;        // samples of right answers, and of wrong ones
 constexpr std::size_t most_steps_of_one = 200;  // told of a search
+constexpr std::size_t most_of_run = 40;         // pairs
 constexpr int easily_followed = 20;             // iterations
 
 /// Says so to what this process starts, as long as it lives.
@@ -33,38 +34,51 @@ class Looking {
  public:
   explicit Looking(const AskedProgram& program) : program_(program) { looked_.by_mistake.resize(mistakes().size()); }
 
-  /// In one run of the program.
-  void ask(std::span<const Judged* const> pairs) {
-    if (pairs.empty()) return;
+  /// In one run of the program. `must_answer`: whether it has answered all of these before.
+  void ask(std::span<const Judged* const> pairs, bool must_answer) {
     std::vector<std::string> questions;
     for (const Judged* const each : pairs) questions.push_back(question_line({each->asked.pair.a, each->asked.pair.b}));
-    const RunOfProgram run = run_program(
-        program_.words, questions, program_.limit,
-        [&](std::string_view line) { return program_.is_answer(line) || is_meant_as_step(line); }, most_steps_of_one);
+    const RunOfProgram run = run_program(program_.words, questions, program_.limit, program_.is_answer,
+                                         {is_meant_as_step, most_steps_of_one});
+    if (must_answer && run.answers < pairs.size())
+      complain("asked for its steps it does not answer all: " +
+               (run.how.empty() ? "it is too late, or tells too many" : run.how));
     auto line = run.lines.begin();
+    std::vector<ToldRun> all;
     for (const Judged* const each : pairs) {
-      ToldRun told{each->asked.name, each->asked.pair};
+      ToldRun& told = all.emplace_back(each->asked.name, each->asked.pair);
       for (; line != run.lines.end() && !told.said; ++line) take(*line, *each, told);
-      take(std::move(told), *each);
     }
+    if (line != run.lines.end())
+      return complain("steps come after the answer about their pair; they are to come before it");
+    for (std::size_t i = 0; i < all.size(); ++i) take(std::move(all[i]), *pairs[i]);
   }
 
   StepsLooked take_all() {
-    std::ranges::stable_sort(looked_.found, {}, [](const LookedSearch& each) {
+    const auto most = std::ranges::max_element(looked_.by_mistake);
+    if (looked_.wrong > looked_.repaired &&
+        static_cast<double>(*most) >= enough_agreement * static_cast<double>(looked_.wrong))
+      looked_.mistake = static_cast<std::size_t>(most - looked_.by_mistake.begin());
+    std::ranges::stable_sort(looked_.found, {}, [this](const LookedSearch& each) {
       const StepFinding* const wrong = first_wrong(each.findings);
-      return std::tuple(each.is_answered_rightly, wrong && wrong->iteration > easily_followed,
+      const bool is_by_it = wrong && looked_.mistake && std::ranges::count(wrong->mistakes, *looked_.mistake) > 0;
+      return std::tuple(each.is_answered_rightly, !is_by_it, wrong && wrong->iteration > easily_followed,
                         each.run.pair.a.size() + each.run.pair.b.size());
     });
     return std::move(looked_);
   }
 
  private:
+  void complain(const std::string& reason) {
+    if (looked_.complaint.empty()) looked_.complaint = reason;
+  }
+
   void take(const std::string& line, const Judged& about, ToldRun& told) {
     if (is_meant_as_step(line)) {
       try {
         told.steps.push_back(read_step(line));
       } catch (const std::invalid_argument& error) {
-        if (looked_.complaint.empty()) looked_.complaint = error.what() + (": " + in_quotes(line));
+        complain("a line is meant as a step and is none: " + (error.what() + (": " + in_quotes(line))));
       }
       return;
     }
@@ -72,10 +86,10 @@ class Looking {
     told.said = answer.said == Said::intersecting ? gjk::Status::intersecting
                 : answer.said == Said::separated  ? gjk::Status::separated
                                                   : gjk::Status::undecided;
-    told.seeks_distance = answer.distance.has_value();
   }
 
   void take(ToldRun told, const Judged& about) {
+    looked_.without_steps += told.steps.empty() && is_wrong(about.verdict);
     if (told.steps.empty()) return;
     bring_to_differences(told);
     ++looked_.searches;
@@ -126,7 +140,7 @@ StepsLooked look_at_steps(const AskedProgram& program, const Judgement& judgemen
   Looking looking(program);
   for (const Judged& each : judgement.failed) {  // may not come to its end: each in a run of its own
     const Judged* const one = &each;
-    looking.ask(std::span(&one, 1));
+    looking.ask(std::span(&one, 1), false);
   }
   std::vector<const Judged*> some;
   std::set<std::string> known;
@@ -135,13 +149,18 @@ StepsLooked look_at_steps(const AskedProgram& program, const Judgement& judgemen
     known.insert(each.asked.name);
   }
   for (const bool right : {false, true}) add_some(judgement.samples, right, known, some);
-  looking.ask(some);
+  for (std::size_t at = 0; at < some.size(); at += most_of_run)
+    looking.ask(std::span(some).subspan(at, std::min(most_of_run, some.size() - at)), true);
   return looking.take_all();
 }
 
 std::optional<Parting> parting_of(const StepsLooked& looked) {
   const LookedSearch* const shown = looked.shown();
-  return shown ? steps::parting_of(shown->run, *first_wrong(shown->findings)) : std::nullopt;
+  if (!shown) return std::nullopt;
+  StepFinding wrong = *first_wrong(shown->findings);
+  // Of some that make this step only the one that makes nearly all of them is shown; else its own steps are.
+  std::erase_if(wrong.mistakes, [&](std::size_t m) { return m != looked.mistake; });
+  return steps::parting_of(shown->run, wrong);
 }
 
 std::string words_of_first_wrong(const LookedSearch& search) {
@@ -151,24 +170,33 @@ std::string words_of_first_wrong(const LookedSearch& search) {
 }
 
 void add_cause(const StepsLooked& looked, std::vector<Cause>& causes) {
-  if (looked.wrong == looked.repaired) return;
-  const auto most = std::ranges::max_element(looked.by_mistake);
   const auto of = [](std::size_t some, std::size_t all) { return std::to_string(some) + " of " + std::to_string(all); };
-  const double share = static_cast<double>(*most) / static_cast<double>(looked.wrong);
-  if (share < enough_agreement) {
-    causes.push_back(
+  const std::size_t wrong = looked.wrong - looked.repaired;
+  const auto add_before_symptoms = [&](const Cause& cause) {
+    causes.insert(std::ranges::find(causes, Cause::symptom, &Cause::rank), cause);
+  };
+  if (looked.searches > 0 && looked.without_steps > wrong)
+    add_before_symptoms(
+        {"it answers before it searches",
+         "for " + of(looked.without_steps, looked.without_steps + wrong) + " wrong answers no step is told", 1});
+  if (wrong == 0) return;
+  if (!looked.mistake)
+    return add_before_symptoms(
         {"wrong steps", of(looked.wrong, looked.searches) + " searches have one", 1, "", "--report report"});
-    return;
-  }
-  const auto& known = wrong_on_purpose::all()[static_cast<std::size_t>(most - looked.by_mistake.begin())];
+  const auto& known = wrong_on_purpose::all()[*looked.mistake];
+  const std::size_t made = looked.by_mistake[*looked.mistake];
   Cause cause{wrong_on_purpose::number_of(known.value) + ": " + std::string(known.meaning),
-              "the first wrong step of " + of(*most, looked.wrong) + " searches follows from it", share,
-              std::string(known.word)};
+              "the first wrong step of " + of(made, looked.wrong) + " searches follows from it",
+              static_cast<double>(made) / static_cast<double>(looked.wrong), std::string(known.word)};
   if (const auto same = std::ranges::find(causes, cause.mistake, &Cause::mistake); same != causes.end()) {
     cause.evidence += "; " + same->evidence;
+    cause.agreement = std::max(cause.agreement, same->agreement);
     causes.erase(same);
   }
-  causes.insert(causes.begin(), std::move(cause));
+  const auto place = std::ranges::find_if(causes, [&cause](const Cause& other) {
+    return other.rank != Cause::reason || other.agreement < cause.agreement;
+  });
+  causes.insert(place, std::move(cause));
 }
 
 }  // namespace walkthroughs::judge

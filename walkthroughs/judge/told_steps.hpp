@@ -25,9 +25,11 @@ struct StepsLooked {
   std::size_t repaired = 0;             ///< of these, those that are answered rightly all the same
   std::size_t rounding = 0;             ///< searches of which rounding may be the reason, and no line wrong
   std::size_t otherwise = 0;            ///< steps that the report makes otherwise, and that are as right
+  std::size_t without_steps = 0;        ///< wrong answers for which no step is told
   std::vector<std::size_t> by_mistake;  ///< searches whose first wrong step each of mistakes() makes
+  std::optional<std::size_t> mistake;   ///< the one that makes nearly all of these
   std::vector<LookedSearch> found;      ///< those with findings: wrong answers first, then those easiest to follow
-  std::string complaint;                ///< about the first line that is meant as a step and is none; else empty
+  std::string complaint;                ///< why steps cannot be read, or not all; else empty
 
   /// Returns: the one with a wrong step that is shown; null where there is none.
   const LookedSearch* shown() const;
@@ -42,7 +44,8 @@ std::optional<Parting> parting_of(const StepsLooked& looked);
 /// Returns: "m14-1, iteration 3: keeps …". Requires: a wrong step.
 std::string words_of_first_wrong(const LookedSearch& search);
 
-/// Adds why answers are wrong, by the steps: first the mistake that makes most of the first wrong ones; or last, that there are some.
+/// Adds why answers are wrong, by the steps: the mistake that makes most of the first wrong ones, or that there are some; or that
+/// there are none.
 void add_cause(const StepsLooked& looked, std::vector<Cause>& causes);
 
 }  // namespace walkthroughs::judge

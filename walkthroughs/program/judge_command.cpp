@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -233,6 +234,7 @@ judge::Report JudgeCommand::report() const {
                        .options = options,
                        .saved = save.value_or(shown.value_or("")),
                        .shown = shown.value_or("")};
+  ::unsetenv("JUDGE_STEPS");  // it is asked for steps when its answers are known
   try {
     report.judgement = judge::judge(asked, cases(), standard(), kept_worst, show_progress);
     if (save) write_scenes(*save, report.judgement);

@@ -61,7 +61,7 @@ RenderOptions options_of(const ReportFolder& to) {
 /// Returns: the names of all walkthroughs that a report may show.
 std::vector<std::string> possible_names() {
   std::vector<std::string> names{parting_name};
-  for (std::size_t i = 1; i <= kept_worst + judge::most_failed; ++i) names.push_back(std::to_string(i));
+  for (std::size_t i = 1; i <= kept_worst + 2 * judge::most_failed; ++i) names.push_back(std::to_string(i));
   return names;
 }
 

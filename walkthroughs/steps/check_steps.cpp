@@ -180,7 +180,7 @@ class Following {
       return std::nullopt;
     }
     if (added.empty()) return among(right, d);
-    if (differences_.has(right, added.front())) return added.front();
+    if (differences_.has(right, added.front()) || differences_.reaches(added.front(), d)) return added.front();
     if (!differences_.contain(added.front())) {
       blame(iteration(),
             words_of(added.front()) + " is no difference a − b of a point of each set" +
@@ -255,13 +255,14 @@ class Following {
 
   bool ends_with_no() const { return is_last() && run_.said != gjk::Status::intersecting; }
 
-  /// Eq. 9 says no: the search must end, unless it looks for the distance.
+  /// Eq. 9 says no: the search may end. One that looks for the distance goes on, and says no in the end.
   void look_at_going_on(double reach) {
-    const std::string words = "P·d = " + shown(reach) + " < 0: the origin was not crossed, so the answer is no; yours ";
-    if (run_.seeks_distance)
-      findings_.push_back({iteration(), StepFinding::otherwise, words + "goes on, toward the distance"});
+    const std::string words =
+        "P·d = " + shown(reach) + " < 0: the origin was not crossed, so the answer is no; yours goes on";
+    if (run_.said == gjk::Status::separated)
+      findings_.push_back({iteration(), StepFinding::otherwise, words});
     else
-      blame(iteration(), words + "goes on", {3});
+      blame(iteration(), words, {3});
   }
 
   // -- The simplex ----------------------------------------------------------------------------------------------------
@@ -281,7 +282,15 @@ class Following {
     const std::vector<Outcome> right = right_outcomes(vertices_);
     told_indices_ = told_indices();
     if (is_last()) return look_at_end(right, reach);
-    if (right.front().contains_origin) return blame_simplex(right.front(), "keeps " + told_letters() + " and goes on");
+    if (right.front().contains_origin) {
+      const std::string does = "keeps " + told_letters() + " and goes on";
+      const bool finds_it_later =
+          run_.said == gjk::Status::intersecting && vertices_.size() < 4 && told_indices_.size() == vertices_.size();
+      if (!finds_it_later) return blame_simplex(right.front(), does);
+      findings_.push_back(
+          {iteration(), StepFinding::otherwise, does + ", though the origin lies in it (" + right.front().why + ")"});
+      return;
+    }
     const auto found = std::ranges::find_if(
         right, [&](const Outcome& each) { return !each.contains_origin && are_same_set(each.kept, told_indices_); });
     if (found == right.end())
@@ -302,7 +311,8 @@ class Following {
 
   void look_at_end(const std::vector<Outcome>& right, double reach) {
     const bool contains = std::ranges::any_of(right, &Outcome::contains_origin);
-    if (run_.said == gjk::Status::intersecting && !contains) return blame_simplex(right.front(), "says yes");
+    if (run_.said == gjk::Status::intersecting && !contains && !next_one_contains_origin(right))
+      return blame_simplex(right.front(), "says yes");
     if (run_.said == gjk::Status::intersecting || !run_.said) return;
     if (run_.said == gjk::Status::separated && ended_by_untold_step(right)) return;
     if (run_.said == gjk::Status::separated && at_ > 0 && !is_sure(vertices_.back(), step().direction)) return;
@@ -321,6 +331,20 @@ class Following {
             "the search was ended, and the answer is no, though P·d = " + shown(reach) +
                 " ≥ 0 proves nothing; it should be undecided",
             makers_of_no({}));
+  }
+
+  /// The step that ends a search with "yes" may not have been told.
+  bool next_one_contains_origin(const std::vector<Outcome>& right) const {
+    return std::ranges::any_of(right, [&](const Outcome& each) {
+      if (each.contains_origin || !are_same_set(each.kept, told_indices_) || each.kept.size() > 3) return false;
+      Vertices next;
+      for (const int i : each.kept) next.push_back(vertices_[static_cast<std::size_t>(i)]);
+      const Vec d = shortened(each.direction);
+      const Vec newest = among(differences_.farthest(d, -d), d);
+      if (newest.dot(d) < 0 || differences_.has(next, newest)) return false;
+      next.push_back(newest);
+      return std::ranges::any_of(right_outcomes(next), &Outcome::contains_origin);
+    });
   }
 
   double reach_along(const Vec& d) const { return among(differences_.farthest(d, -d), d).dot(d); }

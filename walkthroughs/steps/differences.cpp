@@ -8,7 +8,7 @@ namespace {
 constexpr double same_place = 1e-9;  // of the size
 constexpr double same_rounded = 4e-6, roundings_of_floats = 0x1p+29;
 constexpr double same_direction = 1e-4;  // 1 - cosine
-constexpr std::size_t most_differences = 1'000'000;
+constexpr std::size_t most_differences = 1'000'000, most_of_farthest = 100;
 
 bool are_too_many(const Points& a, const Points& b) { return a.size() * b.size() > most_differences; }
 
@@ -74,10 +74,17 @@ Points Differences::farthest(const Points& points, const Vec& d) const {
 }
 
 Vertices Differences::farthest(const Vec& d, const Vec& d_of_b) const {
+  Points a = farthest(a_, d), b = farthest(b_, d_of_b);
+  for (Points* const some : {&a, &b}) some->resize(std::min(some->size(), most_of_farthest));
   Vertices all;
-  for (const Vec& p : farthest(a_, d))
-    for (const Vec& q : farthest(b_, d_of_b)) all.push_back(p - q);
+  for (const Vec& p : a)
+    for (const Vec& q : b) all.push_back(p - q);
   return all;
+}
+
+bool Differences::reaches(const Vec& v, const Vec& d) const {
+  const double most = farthest(a_, d).front().dot(d) - farthest(b_, -d).front().dot(d);
+  return v.dot(d) >= most - same_place * size_ * d.stableNorm() && contain(v);
 }
 
 bool Differences::is_farthest(const Vec& v, const Vec& d, const Vec& d_of_b) const {

@@ -23,8 +23,11 @@ class Differences {
   bool are_same(const Vec& x, const Vec& y) const;
   bool has(const Vertices& vertices, const Vec& v) const;
 
-  /// Returns: all a - b of points that are farthest along these.
+  /// Returns: all a - b of points that are farthest along these; of very many some.
   Vertices farthest(const Vec& d, const Vec& d_of_b) const;
+
+  /// Returns: whether it is an a - b, and as far along d as any.
+  bool reaches(const Vec& v, const Vec& d) const;
 
   /// Returns: whether it is one of these; false where there are too many to look at.
   bool is_farthest(const Vec& v, const Vec& d, const Vec& d_of_b) const;

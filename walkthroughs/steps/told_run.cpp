@@ -71,7 +71,8 @@ bool ToldStep::is_of_numbers() const {
 
 bool is_meant_as_step(std::string_view line) {
   const auto has = [line](std::string_view key) { return line.find(key) != std::string_view::npos; };
-  return has("\"direction\"") && has("\"simplex\"") && !has("\"status\"");
+  constexpr std::size_t longest = 4096;
+  return line.size() <= longest && has("\"direction\"") && has("\"simplex\"") && !has("\"status\"");
 }
 
 ToldStep read_step(std::string_view line) {

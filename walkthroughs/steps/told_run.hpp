@@ -35,11 +35,10 @@ struct ToldRun {
   PointPair pair;
   std::vector<ToldStep> steps = {};
   std::optional<gjk::Status> said = {};
-  double roundings = 1;         ///< of its numbers, in those of doubles
-  bool seeks_distance = false;  ///< its answer is a distance: such a search may go on where no point in common is left
+  double roundings = 1;  ///< of its numbers, in those of doubles
 };
 
-/// Returns: whether a line is meant as a step: an object with a direction and a simplex, and no status.
+/// Returns: whether a line is meant as a step: an object with a direction and a simplex, and no status, of no unreasonable length.
 bool is_meant_as_step(std::string_view line);
 
 /// Errors: std::invalid_argument, which says what is wrong with the line.

@@ -29,7 +29,7 @@ TEST_CASE(
   CHECK(looked.searches > 50);
   CHECK(looked.wrong > looked.repaired);
   CHECK(looked.repaired > 0);
-  std::vector<Cause> causes{{"another", "", 1}};
+  std::vector<Cause> causes{{"another", "", 0.9}};
   add_cause(looked, causes);
   REQUIRE(causes.size() == 2);
   CHECK(causes.front().name.starts_with("M14: "));

@@ -179,8 +179,9 @@ TEST_CASE("Steps: by hand, each kind of wrong step and its words", "[steps]") {
              kit::contains("1: from [A], rightly kept, the report searches along (1, 0.25, 0)"));
   CHECK_THAT(words({first, {{0, 0, 0}, {{-4, -1, 0}}}}, gjk::Status::separated),
              kit::contains("yours along (0, 0, 0)"));
-  CHECK_THAT(words({first, {{4, 1, 0}, {{-4, -1, 0}, {-4, 1, 0}}}, {{1, 0, 0}, {{-4, 1, 0}}}}, gjk::Status::separated),
-             kit::contains("2: P·d = -15 < 0: the origin was not crossed"));
+  const std::vector<ToldStep> going_on{first, {{4, 1, 0}, {{-4, -1, 0}, {-4, 1, 0}}}, {{1, 0, 0}, {{-4, 1, 0}}}};
+  CHECK_THAT(words(going_on, gjk::Status::intersecting), kit::contains("2: P·d = -15 < 0: the origin was not crossed"));
+  CHECK_THAT(words(going_on, gjk::Status::separated), !kit::contains("P·d = -15 < 0"));
   CHECK_THAT(words({first, {{4, 1, 0}, {{-4, 1, 0}, {-5, 1, 0}}}}, gjk::Status::separated),
              kit::contains("2: its simplex has 2 vertices"));
   CHECK(words({}, gjk::Status::separated) == "0: ");
@@ -202,7 +203,7 @@ TEST_CASE(
                     {{{size, 0, 0}, {{-4 * size, -size, 0}}},
                      {{4 * size, size, 0}, {{-4 * size, -size, 0}, {-4 * size, size, 0}}},
                      {{size, 0, 0}, {{-4 * size, size, 0}}}},
-                    gjk::Status::separated});
+                    gjk::Status::intersecting});
   };
   for (const double size : {0x1p-260, 0x1p-250, 0x1p-173, 0x1p-172, 1.0, 0x1p+167, 0x1p+168, 0x1p+250, 0x1p+260}) {
     INFO(size);
@@ -398,7 +399,7 @@ TEST_CASE("Steps: rounding excuses no mistake that shows where numbers vanish, o
       all.insert(m);
     }
   CAPTURE(all);
-  for (const std::size_t origin_missed : {4, 5, 12}) CHECK(all.contains(origin_missed));
+  for (const std::size_t origin_missed : {4, 5}) CHECK(all.contains(origin_missed));
 }
 
 TEST_CASE("Steps: ways of telling them that are often mixed up are told as that", "[steps]") {
