@@ -505,6 +505,8 @@ std::vector<Cause> probable_causes(const AskedProgram& program, const Judgement&
   if (all.of(Verdict::wrong_yes) + all.of(Verdict::wrong_no) + all.of(Verdict::within_tolerance) >= enough_wrong)
     causes = Search(program, judgement, standard).go();
   const bool are_mostly_distances = 2 * all.of(Verdict::wrong_distance) > all.wrong();
+  if (are_mostly_distances)  // which rounding does not explain
+    std::erase_if(causes, [](const Cause& each) { return each.rank == Cause::rounding; });
   causes.insert(are_mostly_distances ? causes.begin() : causes.end(), of_distances.begin(), of_distances.end());
   return causes;
 }

@@ -179,6 +179,9 @@ TEST_CASE("Judge: who tells wrong distances is told which they are, of the worst
   const Judgement noise = judged_by_distances("noise");
   CHECK(noise.all.of(Verdict::wrong_distance) > 100);
   CHECK(probable_causes(program({"false"}), noise, {}).empty());
+  const Judgement rounded = judged_by_distances("rounded");
+  CHECK(rounded.all.of(Verdict::wrong_yes) > 3);
+  CHECK(probable_causes(program({"false"}), rounded, {}).empty());
   CHECK(judged_by_distances("little").is_good());
   const std::string screen = first_screen({"./mine", "", noise, {}});
   for (const char* const part : {" wrong distance\nworst: ", ": they are apart by ", " of their size, and it says "})
