@@ -46,7 +46,8 @@ class Looking {
     auto line = run.lines.begin();
     std::vector<ToldRun> all;
     for (const Judged* const each : pairs) {
-      ToldRun& told = all.emplace_back(each->asked.name, each->asked.pair);
+      all.push_back({each->asked.name, each->asked.pair});
+      ToldRun& told = all.back();
       for (; line != run.lines.end() && !told.said; ++line) take(*line, *each, told);
     }
     if (line != run.lines.end())
@@ -89,7 +90,7 @@ class Looking {
   }
 
   void take(ToldRun told, const Judged& about) {
-    looked_.without_steps += told.steps.empty() && is_wrong(about.verdict);
+    looked_.without_steps += told.steps.empty() && told.said && is_wrong(about.verdict);
     if (told.steps.empty()) return;
     bring_to_differences(told);
     ++looked_.searches;
