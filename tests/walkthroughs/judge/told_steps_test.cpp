@@ -52,6 +52,14 @@ TEST_CASE("Told steps: of who makes no wrong step none is told") {
   CHECK(causes.empty());
 }
 
+TEST_CASE("Told steps: who answers wrongly before the first step is told that") {
+  const StepsLooked looked = looked_at(telling("translation"), {&family_named("offset-1e8")});
+  CHECK(looked.without_steps > 3);
+  std::vector<Cause> causes{{"a symptom", "", 1, "", "", Cause::symptom}};
+  add_cause(looked, causes);
+  CHECK(causes.front().name == "it answers before it searches");
+}
+
 TEST_CASE("Told steps: each mistake is among those that make the first wrong step of a search", "[full][unsanitized]") {
   for (std::size_t m = 0; m < mistakes().size(); ++m) {
     if (m == 1) continue;  // M2 ends searches before their first step is told
