@@ -87,8 +87,8 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
 }
 
 constexpr std::size_t enough_wrong = 3;  // fewer may be so by chance
-constexpr double beyond_doubles =
-    1e-11;  // of the size: no search in doubles misses that by rounding, unless it is flat
+// Of the size: no search in doubles misses that by rounding, unless the sets are flat.
+constexpr double beyond_doubles = 1e-11;
 constexpr double enough_of_limit = 0.95;  // whoever fails at many simplices looks a little like it
 
 /// Of the samples that a program with some fault, or this one, answers wrongly, those that both do.

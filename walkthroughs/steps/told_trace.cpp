@@ -45,7 +45,7 @@ class Steps {
     const ToldStep& step = step_of(iteration);
     const Vec own = newest_of(step).w;
     Vec d = step.direction;
-    Vertex newest = differences_.is_farthest(own, d, -d) ? vertex_at(own) : farthest_along(d);
+    Vertex newest = differences_.reaches(own, d) ? vertex_at(own) : farthest_along(d);
     for (const int most = iteration + most_iterations;; ++iteration) {
       if (iteration > 1 && newest.w.dot(d) < 0) {
         add(iteration, gjk::SupportFound<double>{.direction = d, .vertex = newest});
