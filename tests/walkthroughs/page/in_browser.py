@@ -117,7 +117,8 @@ class PageInBrowser(unittest.TestCase):
         return self.js("return location.hash")
 
     def wait(self, condition):
-        WebDriverWait(self.browser, 300, poll_frequency=0.05).until(lambda _: condition())
+        # What is asked about may be drawn anew meanwhile.
+        WebDriverWait(self.browser, 300, 0.05, [StaleElementReferenceException]).until(lambda _: condition())
 
     def assert_fits(self):
         self.assertLessEqual(self.js("return document.documentElement.scrollWidth"), self.js("return innerWidth"))
