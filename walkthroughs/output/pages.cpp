@@ -11,7 +11,7 @@
 
 #include "render/file.hpp"
 #include "render/html.hpp"
-#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/catalogue/lesson.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/text/printable.hpp"
@@ -91,6 +91,7 @@ std::vector<PageJson> entries_in(const fs::path& folder) {
 /// What the program in the page is asked to tell; null where it would tell something else, or is not there.
 PageJson request_for(const PageOrigin& origin, const PagesWanted& wanted) {
   if (page_programs().empty() || !wanted.is_usual || !origin.option.empty() || !origin.made_by.empty()) return nullptr;
+  if (origin.name == lesson_name) return {{"name", screens()[0].walkthrough}, {"screen", 0}};
   if (origin.file.empty()) return {{"name", origin.name}};
   return {{"scene", origin.scene}, {"file", called(origin.file)}};
 }
@@ -159,7 +160,8 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
                               .part = pictures_of_frame(w, output.look),
                               .text_scale = output.look.style.theme.text,
                               .turns = turns_of(w, output),
-                              .is_dark = output.look.style.theme.paper.r < 128};
+                              .is_dark = output.look.style.theme.paper.r < 128,
+                              .font = &renderer.font()};
   renderer.then([=, &renderer, origin = *origin_of(w, wanted_), names = files(w)] {
     std::vector<PageFile> files = around.has_files_beside ? sources(*story, origin) : std::vector<PageFile>();
     std::ranges::move(page_files(*story, pictures, around), std::back_inserter(files));

@@ -1,7 +1,6 @@
 #include "walkthroughs/output/paper_sheet.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "walkthroughs/story/words.hpp"
 
@@ -12,11 +11,13 @@ using render::Box;
 using render::Canvas;
 using render::OnPaper;
 using render::PaperSize;
+using render::PdfPage;
 using render::Size;
 using render::Vec2;
 
+constexpr double line_pitch = 1.25;  // sizes of its letters
 // Points.
-constexpr double margin = 34, gap = 14, foot = 20, title_size = 15, foot_size = 9, points_of_an_inch = 72;
+constexpr double gap = 14, foot = 20, foot_size = 9, points_of_an_inch = 72;
 constexpr double least_picture_width = 230, least_words_width = 150;
 constexpr double most_of_a_page = 0.7;  // that a picture takes, so that there is room for the words below
 constexpr double larger_texts[] = {1.25, 1.5};
@@ -29,9 +30,10 @@ double rows_height(const PaperSize& paper) { return rows_to(paper) - rows_from()
 /// Points that a page unit of words has: so that the smallest are legible.
 double points_of_words(const Style& style) { return least_points / style.skipped.size; }
 
-/// The panels of all frames, laid out with text of one scale.
+/// The panels of what stands there, laid out with text of one scale.
 struct PanelsOfFrames {
-  PanelsOfFrames(const StagedStory& story, Look look, double text_scale, render::Font& font) {
+  PanelsOfFrames(const StagedStory& story, const std::vector<InGrid>& parts, Look look, double text_scale,
+                 render::Font& font) {
     render::Theme theme = look.style.theme;
     theme.text = text_scale;
     look.style = Style(theme);
@@ -40,10 +42,9 @@ struct PanelsOfFrames {
     part = pictures_of_frame(story.walkthrough, look);
     letters = look.style.panel_title.size;
     const Size page = page_of_frame(look);
-    for (std::size_t i = 0; i < story.frames.size(); ++i) {
-      draw_frame(canvases.emplace_back(page, page, theme.paper, font), story, i, look);
-      for (const render::Shape& shape : canvases.back().shapes())
-        if (const auto* text = std::get_if<render::shape::Text>(&shape)) letters = std::min(letters, text->style.size);
+    for (const InGrid& each : parts) {
+      draw_frame(canvases.emplace_back(page, page, theme.paper, font), story, each.frame, look);
+      letters = std::min(letters, smallest_letters(canvases.back()));
     }
   }
 
@@ -56,11 +57,12 @@ struct PanelsOfFrames {
 };
 
 /// The smallest that are legible, so that many fit on a page.
-PanelsOfFrames smallest_panels(const StagedStory& story, const Look& look, bool larger_text, render::Font& font) {
-  PanelsOfFrames best(story, look, look.style.theme.text, font);
+PanelsOfFrames smallest_panels(const StagedStory& story, const std::vector<InGrid>& parts, const Look& look,
+                               bool larger_text, render::Font& font) {
+  PanelsOfFrames best(story, parts, look, look.style.theme.text, font);
   for (const double scale : larger_texts) {
     if (!larger_text || scale <= look.style.theme.text) continue;
-    PanelsOfFrames larger(story, look, scale, font);
+    PanelsOfFrames larger(story, parts, look, scale, font);
     if (larger.least_width() < best.least_width()) best = std::move(larger);
   }
   return best;
@@ -83,25 +85,15 @@ struct Grid {
 };
 
 /// The title, and below the number of the page. Its page unit is a point.
-Canvas head_and_foot(const StagedStory& story, const PaperSize& paper, const std::string& number, const Style& style,
+Canvas head_and_foot(const std::string& title, const PaperSize& paper, const std::string& number, const Style& style,
                      render::Font& font) {
   const Size size{static_cast<int>(paper.width), static_cast<int>(paper.height)};
   Canvas canvas(size, size, style.theme.paper, font);
-  const std::string title = literal(story.walkthrough.title);
   const render::TextStyle text{.size = title_size, .color = style.theme.ink};
   canvas.text({margin, margin + title_size}, title, canvas.fitted(title, text, inner_width(paper)));
   canvas.text({paper.width - margin, paper.height - margin}, number,
               {.size = foot_size, .color = style.theme.ink, .align = render::Align::right});
   return canvas;
-}
-
-void add_heads_and_feet(PaperSheet& sheet, const StagedStory& story, const PaperSize& paper, const Style& style,
-                        render::Font& font) {
-  for (std::size_t page = 0; page < sheet.pages.size(); ++page) {
-    const std::string number = "page " + std::to_string(page + 1) + " of " + std::to_string(sheet.pages.size());
-    const Canvas& around = sheet.canvases.emplace_back(head_and_foot(story, paper, number, style, font));
-    sheet.pages[page].push_back({&around, {{0, 0}, {paper.width, paper.height}}, {0, 0}, 1});
-  }
 }
 
 }  // namespace
@@ -115,50 +107,108 @@ std::optional<PaperSize> paper_named(const std::string& name) {
   return paper;
 }
 
-PaperSheet paper_sheet(const StagedStory& story, const Look& look, const PaperSize& paper, bool larger_text,
-                       render::Font& font) {
-  PanelsOfFrames panels = smallest_panels(story, look, larger_text, font);
+void Rows::add(PdfPage row, double height) {
+  if (top_ + height > rows_to(printed_.paper)) {
+    printed_.pages.emplace_back();
+    top_ = rows_from();
+  }
+  for (OnPaper& part : row) {
+    part.corner.y() += top_;
+    printed_.pages.back().push_back(part);
+  }
+  top_ += height + gap;
+}
+
+void Rows::write(const Write& write, const Style& style, render::Font& font) {
+  const double unit = points_of_words(style), width = inner_width(printed_.paper) / unit;
+  const Size page{static_cast<int>(width), render::max_pixels};
+  Canvas& canvas = printed_.canvases.emplace_back(page, page, style.theme.paper, font);
+  const double height = write(canvas, width);
+  add({{&canvas, {{0, 0}, {width, height}}, {margin, 0}, unit}}, unit * height);
+}
+
+PaperSheet in_grid(const StagedStory& story, const std::vector<InGrid>& parts, const Look& look, const PaperSize& paper,
+                   bool larger_text, render::Font& font) {
+  PanelsOfFrames panels = smallest_panels(story, parts, look, larger_text, font);
   const Grid grid(panels.least_width(), panels.part.height() / panels.part.width(), paper);
   const double scale = grid.picture / panels.part.width(), unit = points_of_words(look.style);
   const bool are_legible = grid.picture >= panels.least_width();
   const double letters = are_legible ? std::max(scale * panels.letters, least_points) : scale * panels.letters;
-  PaperSheet sheet{letters, grid.columns, std::move(panels.canvases)};
+  PaperSheet sheet{{paper, std::move(panels.canvases)}, letters, grid.columns};
   const Size words_page{static_cast<int>(grid.words / unit), render::max_pixels};
   const Vec2 to_words = grid.is_beside ? Vec2(grid.picture + gap, 0) : Vec2(0, scale * panels.part.height());
-  double top = std::numeric_limits<double>::infinity();
-  for (std::size_t first = 0; first < story.frames.size(); first += sheet.columns) {
-    render::PdfPage row;
+  Rows rows(sheet);
+  for (std::size_t first = 0; first < parts.size(); first += sheet.columns) {
+    PdfPage row;
     double height = 0;
-    for (std::size_t i = first; i < std::min(first + sheet.columns, story.frames.size()); ++i) {
+    for (std::size_t i = first; i < std::min(first + sheet.columns, parts.size()); ++i) {
       const double left = margin + static_cast<double>(i - first) * (grid.column + gap);
       row.push_back({&sheet.canvases[i], panels.part, {left, 0}, scale});
       height = std::max(height, scale * panels.part.height());
-      if (look.text == Text::none) continue;
+      if (!parts[i].write) continue;
       Canvas& words = sheet.canvases.emplace_back(words_page, words_page, look.style.theme.paper, font);
-      const double words_height = draw_words(words, grid.words / unit, story, i, look.style);
+      const double words_height = parts[i].write(words, grid.words / unit);
       row.push_back({&words, {{0, 0}, {grid.words / unit, words_height}}, Vec2(left, 0) + to_words, unit});
       height = std::max(height, row.back().corner.y() + unit * words_height);
     }
-    if (top + height > rows_to(paper)) {
-      sheet.pages.emplace_back();
-      top = rows_from();
-    }
-    for (OnPaper& part : row) {
-      part.corner.y() += top;
-      sheet.pages.back().push_back(part);
-    }
-    top += height + gap;
+    rows.add(std::move(row), height);
   }
-  add_heads_and_feet(sheet, story, paper, look.style, font);
   return sheet;
+}
+
+PaperSheet in_grid_on_a4(const StagedStory& story, const std::vector<InGrid>& parts, const Look& look,
+                         render::Font& font) {
+  const auto on = [&](const char* paper) { return in_grid(story, parts, look, *paper_named(paper), true, font); };
+  PaperSheet upright = on("a4");
+  if (upright.letters < least_points) return on("a4-across");
+  return upright;
+}
+
+void add_heads_and_feet(Printed& printed, const std::string& title, const Style& style, render::Font& font) {
+  const PaperSize& paper = printed.paper;
+  for (std::size_t page = 0; page < printed.pages.size(); ++page) {
+    const std::string number = "page " + std::to_string(page + 1) + " of " + std::to_string(printed.pages.size());
+    const Canvas& around = printed.canvases.emplace_back(head_and_foot(title, paper, number, style, font));
+    printed.pages[page].push_back({&around, {{0, 0}, {paper.width, paper.height}}, {0, 0}, 1});
+  }
+}
+
+PaperSheet paper_sheet(const StagedStory& story, const Look& look, const PaperSize& paper, bool larger_text,
+                       render::Font& font) {
+  std::vector<InGrid> parts;
+  for (std::size_t i = 0; i < story.frames.size(); ++i) {
+    const auto write = [&, i](Canvas& canvas, double width) { return draw_words(canvas, width, story, i, look.style); };
+    parts.push_back({i, look.text == Text::none ? Write() : write});
+  }
+  PaperSheet sheet = in_grid(story, parts, look, paper, larger_text, font);
+  add_heads_and_feet(sheet, literal(story.walkthrough.title), look.style, font);
+  return sheet;
+}
+
+double write_lines(Canvas& canvas, const Vec2& corner, const std::string& text, const render::TextStyle& style,
+                   double width) {
+  const std::vector<std::string> lines = render::wrap(canvas, text, style, width);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    canvas.text(corner + Vec2(0, style.size * (1 + line_pitch * static_cast<double>(i))), lines[i], style);
+  return style.size * line_pitch * static_cast<double>(lines.size());
+}
+
+double smallest_letters(const Canvas& canvas) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const render::Shape& shape : canvas.shapes())
+    if (const auto* text = std::get_if<render::shape::Text>(&shape)) least = std::min(least, text->style.size);
+  return least;
+}
+
+Renderer::Content pdf_of(const Printed& printed, const Story& story, const render::Color& color) {
+  return [pdf = encode_pdf(printed.pages, printed.paper, color, text_of(story.walkthrough))] { return pdf; };
 }
 
 OneFile paper_sheets(PaperSize paper, bool larger_text, TooSmall too_small) {
   const auto make = [=](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
     const PaperSheet sheet = paper_sheet(*story, output.look, paper, larger_text, renderer.font());
     if (sheet.letters < least_points) too_small(*story, sheet.letters);
-    const render::Color color = output.look.style.theme.paper;
-    return [pdf = encode_pdf(sheet.pages, paper, color, text_of(story->walkthrough))] { return pdf; };
+    return pdf_of(sheet, *story, output.look.style.theme.paper);
   };
   return {"sheet.pdf", make};
 }

@@ -46,6 +46,59 @@ std::optional<Question> asked(Decision decision, std::size_t scene, std::size_t 
   return Question{std::move(decision), scene, event, std::move(text), std::move(choices), place};
 }
 
+// -- Where they can be pointed at ----------------------------------------------------------------------------------------
+
+Point middle_of(const Simplex& simplex, const gjk::Roles& roles) {
+  Point sum = Point::Zero();
+  for (const gjk::Role role : roles) sum += simplex.point(role);
+  return sum / std::max(1, roles.size());
+}
+
+/// Of a feature of what may be a face, moved away from the rest of that.
+Aim aim_at(const Simplex& simplex, const gjk::Roles& feature, const gjk::Roles& of, std::string name) {
+  gjk::Roles rest;
+  for (const gjk::Role role : of)
+    if (!feature.has(role)) rest.add(role);
+  const Point at = middle_of(simplex, feature);
+  return {.at = at,
+          .toward = rest.empty() ? Point(Point::Zero()) : Point(at - middle_of(simplex, rest)),
+          .name = std::move(name),
+          .face = of.size() == 3 ? of : feature,
+          .is_height = feature.size() == 3};
+}
+Aim aim_at(const Simplex& simplex, const gjk::Roles& feature, std::string name) {
+  const gjk::Roles all = simplex.size() == 3 ? gjk::Roles("ABC") : gjk::beside({}, simplex.size());
+  return aim_at(simplex, feature, all, std::move(name));
+}
+
+/// Of what lies on one side of a triangle.
+Aim aim_beside(const Simplex& simplex, const gjk::Roles& face, double side, std::string name) {
+  const Point first = simplex.point(face[0]);
+  const Point normal = (simplex.point(face[1]) - first).cross(simplex.point(face[2]) - first);
+  return {.at = middle_of(simplex, face),
+          .toward = side * normal,
+          .name = std::move(name),
+          .face = face,
+          .is_height = true};
+}
+
+/// Along what a way on is called: from where it leaves, in any length. Requires: no formula but those of Algorithms 2 to 5.
+Point vector_of(const Simplex& simplex, const gjk::NamedVector& vector) {
+  const auto point = [&](int i) { return simplex.point(vector.of[i]); };
+  if (vector.kind == gjk::NamedVector::Kind::to_origin) return -simplex.point(gjk::Role::A);
+  if (vector.of.size() < 3) return point(1) - point(0);
+  return (point(1) - point(0)).cross(point(2) - point(0));
+}
+Point vector_of(const Simplex& simplex, const gjk::Expression& expression) {
+  const Point X = vector_of(simplex, expression.X);
+  if (expression.form == gjk::Expression::Form::negative) return -X;
+  if (expression.form == gjk::Expression::Form::vector) return X;
+  const Point product = X.cross(vector_of(simplex, expression.Y));
+  return expression.form == gjk::Expression::Form::triple ? Point(product.cross(X)) : product;
+}
+
+// -- Choices of regions -----------------------------------------------------------------------------------------------
+
 /// "R3: beyond edge AB".
 Choice choice_of(gjk::RegionLabel label, const std::string& words) {
   if (label == gjk::RegionLabel::none) return {.text = words};
@@ -179,6 +232,24 @@ class Iteration {
     return "the search does not look there: " + names_.translate(reason_in_words(region));
   }
 
+  /// `relation`: what a line asks about, where it does.
+  Aim aim_of(const gjk::Roles& feature, std::optional<Relation> relation, const Choice& choice) const {
+    const Simplex& simplex = now_.processed;
+    const bool is_zero = relation == Relation::zero, is_above = relation == Relation::positive;
+    if (size_ == 3 && feature.size() == 3 && !is_zero)
+      return aim_beside(simplex, feature, is_above ? 1 : -1, is_above ? "above" : "below");
+    if (feature.size() == size_) {
+      const Point middle = middle_of(simplex, feature);
+      const bool is_inside = is_zero || size_ == 4;
+      return {.at = middle,
+              .toward = is_inside ? Point(Point::Zero()) : Point(-middle),
+              .name = is_inside ? "inside" : choice.label,
+              .face = feature,
+              .is_height = true};
+    }
+    return aim_at(simplex, feature, choice.label.empty() ? names_.sorted(feature) : choice.label);
+  }
+
   std::optional<Question> of_region() const {
     std::vector<Choice> choices;
     std::string right;
@@ -186,12 +257,14 @@ class Iteration {
       if (line.kind != LineKind::test || !line.tests.face.empty()) continue;
       Choice choice = choice_of(size_, line.tests, names_.sorted(line.tests.feature));
       if (is_of(line, *chosen_without_face())) right = choice.text;
+      if (size_ > 1) choice.aim = aim_of(line.tests.feature, line.tests.relation, choice);
       add_once(choices, explained(std::move(choice), line));
     }
     for (const Region& region : now_.regions)
       if (region.verdict == Verdict::skipped && (size_ < 4 || region.feature.size() == 3)) {
         Choice choice = choice_of_skipped(region, names_.sorted(region.feature));
         choice.reason = choice.hint = skipped_because(region);
+        choice.aim = aim_of(region.feature, Relation::positive, choice);
         add_once(choices, std::move(choice));
       }
     const std::string text = size_ == 4   ? "Above which face does Algorithm 5 find the origin first?"
@@ -220,7 +293,11 @@ class Iteration {
     const auto words = [&](const gjk::Roles& feature) { return with_kind(names_.sorted(feature)); };
     std::vector<Choice> choices;
     for (const gjk::Roles& feature : features_of_newest)
-      if (is_of_simplex(feature, size_)) choices.push_back({words(feature), reason_of(feature), reason_of(feature)});
+      if (is_of_simplex(feature, size_))
+        choices.push_back({.text = words(feature),
+                           .reason = reason_of(feature),
+                           .hint = reason_of(feature),
+                           .aim = aim_at(now_.processed, feature, names_.sorted(feature))});
     return asked(decision(Kind::region), scene_, first_, "On which feature does the point nearest to the origin lie?",
                  std::move(choices), words(last_chosen()->feature));
   }
@@ -235,12 +312,14 @@ class Iteration {
     std::size_t event = end_;
     for (const CodeLine& line : code_) {
       if (line.kind != LineKind::test || line.tests.face != face.feature) continue;
-      const Choice choice = explained({"beyond edge " + names_.sorted(line.tests.feature)}, line);
+      const std::string edge = names_.sorted(line.tests.feature);
+      Choice choice = explained({"beyond edge " + edge}, line);
+      choice.aim = aim_at(now_.processed, line.tests.feature, face.feature, edge);
       if (is_of(line, *last_chosen())) right = choice.text;
       values += (values.empty() ? "" : "; ") + choice.reason;
       add_once(choices, choice);
     }
-    choices.push_back({neither, values});
+    choices.push_back({.text = neither, .reason = values, .aim = aim_at(now_.processed, face.feature, "neither")});
     for (std::size_t i = end_; i-- > first_;)
       if (std::get<Region>(events_[i]).face == face.feature) event = i;
     if (event == end_) return std::nullopt;
@@ -268,15 +347,17 @@ class Iteration {
 
   /// Choices from the ways on of the running algorithm, each with what the tests before it have found: two lines of a tetrahedron's
   /// may lead the same way.
-  template <class Words>
-  std::vector<Choice> ways(const std::string& right, const std::string& why, const Words& words) const {
+  template <class Words, class Aims>
+  std::vector<Choice> ways(const std::string& right, const std::string& why, const Words& words,
+                           const Aims& aims) const {
     std::vector<Choice> choices;
     const CodeLine* test = nullptr;
     for (const CodeLine& line : code_) {
       if (line.kind == LineKind::test) test = &line;
       if (!line.way || !test) continue;
       const std::string text = words(*line.way);
-      const Choice choice = text == right ? Choice{text, why} : explained({text}, *test);
+      Choice choice = text == right ? Choice{text, why} : explained({text}, *test);
+      choice.aim = aims(*line.way);
       const auto known = std::ranges::find(choices, text, &Choice::text);
       if (known == choices.end()) {
         choices.push_back(choice);
@@ -288,6 +369,13 @@ class Iteration {
     return choices;
   }
 
+  Aim aim_at_dropped(const gjk::Roles& kept) const {
+    const gjk::Roles dropped = beside(kept, size_);
+    if (dropped.empty()) return aim_at(now_.processed, kept, "keep " + in_list(kept));
+    return aim_at(now_.processed, dropped,
+                  "drop " + joined(dropped, ", ", [this](gjk::Role role) { return names_.of(role); }));
+  }
+
   std::optional<Question> of_vertices() const {
     if (size_ < 3 || (!reduction() && !direction())) return std::nullopt;
     const std::string right = in_list(reduction() ? reduction()->kept : "CBA");
@@ -295,7 +383,10 @@ class Iteration {
         names_.translate(reduction() ? gjk::to_string(reduction()->why)
                                      : "the origin lies above the triangle, on the side of its normal");
     return asked(decision(Kind::vertices), scene_, end_, "Which vertices stay, and in which order?",
-                 ways(right, why, [&](const Way& way) { return in_list(way.kept); }), right);
+                 ways(
+                     right, why, [&](const Way& way) { return in_list(way.kept); },
+                     [&](const Way& way) { return aim_at_dropped(way.kept); }),
+                 right);
   }
 
   std::optional<Question> of_direction() const {
@@ -303,7 +394,14 @@ class Iteration {
     const std::string right = names_.translate(direction()->expression);
     const std::string why = value_of(*last_chosen()) + "; " + telling_.said[direction_at()]->facts[0].text;
     return asked(decision(Kind::direction), scene_, direction_at(), "Along which formula does the search go on?",
-                 ways(right, why, [&](const Way& way) { return names_.translate(way.direction); }), right);
+                 ways(
+                     right, why, [&](const Way& way) { return names_.translate(way.direction); },
+                     [&](const Way& way) {
+                       return Aim{.at = middle_of(now_.processed, way.kept),
+                                  .toward = vector_of(now_.processed, way.direction),
+                                  .name = ""};
+                     }),
+                 right);
   }
 
   const std::size_t scene_;
@@ -367,7 +465,9 @@ std::optional<Question> of_kept(const Story& story, std::size_t scene, std::size
   for (const gjk::Roles& feature : features_of_newest) {
     if (!is_of_simplex(feature, event.before.size())) continue;
     const std::string text = names.simplex(event.before.only(feature));
-    add_once(choices, {text, signs_about(feature, now, names, telling.scene.dimension), ""});
+    add_once(choices, {.text = text,
+                       .reason = signs_about(feature, now, names, telling.scene.dimension),
+                       .aim = aim_at(event.before, feature, text)});
     if (!is_same_feature(feature, event.kept)) continue;
     found = to_string(feature);
     right = text;
@@ -400,6 +500,19 @@ void ask_about(std::size_t scene, const Story& story, std::vector<Question>& que
   }
 }
 
+/// Returns: the frame that answers the question; nothing where the frame before it does not show what is asked about.
+std::optional<std::size_t> answering_frame(const Story& story, const Question& question) {
+  const auto [scene, event] = std::pair(question.scene, question.event);
+  for (std::size_t i = 1; i < story.frames.size(); ++i) {
+    const EventRange range = story.frames[i].events.at(scene);
+    if (range.last != event) continue;
+    for (std::size_t e = range.first; e < event; ++e)
+      if (std::holds_alternative<gjk::SupportFound<double>>(story.tellings[scene].trace.events[e])) return std::nullopt;
+    return i;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Question> questions_of(const Story& story) {
@@ -415,6 +528,17 @@ std::vector<Question> questions_of(const Story& story) {
   for (Question& question : questions)
     question.text = (is_of_both(question) ? "Both" : story.tellings[question.scene].scene.name) + ": " + question.text;
   return questions;
+}
+
+std::vector<Question> in_frames(const std::vector<Question>& questions, const Story& story) {
+  std::vector<Question> answered;
+  for (Question question : questions) {
+    const std::optional<std::size_t> frame = answering_frame(story, question);
+    if (!frame) continue;
+    question.frame = *frame;
+    answered.push_back(std::move(question));
+  }
+  return answered;
 }
 
 }  // namespace walkthroughs::page

@@ -108,15 +108,15 @@ struct Columns {
 };
 
 /// `is_decision`: the view in space stands where the objects are in other frames.
-Columns columns(const Panels& panels, bool is_decision, const Look& look) {
-  const Interval rows = rows_of_panels(look);
+Columns columns(const Panels& panels, bool is_decision, const Box& box, const Look& look) {
+  const Interval rows{box.min.y(), box.max.y()};
   const Style& style = look.style;
+  double left = box.min.x(), right = box.max.x();
   if (look.stacked) {
-    if (!panels.objects && !is_decision) return {{}, {}, panel_box(left_margin, stacked_right, rows)};
-    const auto [above, below] = halves_of(rows, left_margin, stacked_right);
+    if (!panels.objects && !is_decision) return {{}, {}, box};
+    const auto [above, below] = halves_of(rows, left, right);
     return {above, {}, below};
   }
-  double left = left_margin, right = right_margin;
   Columns all;
   if (panels.objects || is_decision) {
     const double width = panels.algorithm || !is_decision ? objects_width(style) : share_of_space * (right - left);
@@ -129,6 +129,12 @@ Columns columns(const Panels& panels, bool is_decision, const Look& look) {
   }
   all.difference = panel_box(left, right, rows);
   return all;
+}
+
+/// Where the panels of a frame stand.
+Box box_of_panels(const Walkthrough& walkthrough, const Look& look) {
+  const bool is_narrow = look.stacked && walkthrough.layout != Layout::diagrams;
+  return panel_box(left_margin, is_narrow ? stacked_right : right_margin, rows_of_panels(look));
 }
 
 /// Returns: what is left of it so many times as large.
@@ -195,7 +201,7 @@ void draw_whole_set(Canvas& canvas, const Columns& boxes, const Shown& what) {
                   what);
 }
 
-void draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
+void draw_search(Canvas& canvas, const Box& box, const StagedStory& story, std::size_t index, const Look& look) {
   const Telling& telling = *story.stages[0].telling;
   const SceneOfFrame scene(story, index, 0, look);
   const Shown& what = scene.shown;
@@ -203,7 +209,7 @@ void draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, co
       shows_decision(story) ? decision_views(what.now, what.focus) : std::vector<DecisionView>{};
   const std::optional<NumberLine> line =
       telling.panels.decision ? number_line(what.now, what.focus, what.names) : std::nullopt;
-  const Columns boxes = columns(telling.panels, !views.empty() || line, look);
+  const Columns boxes = columns(telling.panels, !views.empty() || line, box, look);
   if (line) {
     draw_beside(canvas, *boxes.objects, what);
     draw_number_line(canvas, boxes.difference, *line, what);
@@ -238,12 +244,12 @@ void draw_scene(Canvas& canvas, const StagedStory& story, const Place& place, co
   return shows_a_move(story) ? draw_move(canvas, place, what) : draw_difference(canvas, place, what);
 }
 
-void draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
-  const double middle = (left_margin + right_margin) / 2;
-  const Interval rows = rows_of_panels(look);
-  const auto [above, below] = halves_of(rows, left_margin, stacked_right);
-  const Box boxes[] = {look.stacked ? above : panel_box(left_margin, middle - panel_gap / 2, rows),
-                       look.stacked ? below : panel_box(middle + panel_gap / 2, right_margin, rows)};
+void draw_pair(Canvas& canvas, const Box& box, const StagedStory& story, std::size_t index, const Look& look) {
+  const double middle = (box.min.x() + box.max.x()) / 2;
+  const Interval rows{box.min.y(), box.max.y()};
+  const auto [above, below] = halves_of(rows, box.min.x(), box.max.x());
+  const Box boxes[] = {look.stacked ? above : panel_box(box.min.x(), middle - panel_gap / 2, rows),
+                       look.stacked ? below : panel_box(middle + panel_gap / 2, box.max.x(), rows)};
   const SceneOfFrame scenes[] = {{story, index, 0, look}, {story, index, 1, look}};
   const StagedStory& framing = look.framing ? *look.framing : story;
   const auto view = [&](std::size_t s) {
@@ -274,6 +280,7 @@ constexpr int longest_row = 12 * cell_width;
 constexpr double pitch_of_caption = 0.95, next_smaller = 0.93, least_caption = 0.6;
 constexpr double wanted_shape = 16.0 / 9;  // of what has more than one row
 constexpr double cell_gap = 10, cell_panel_bottom = 386, cell_margin = 44, room_for_arrows = 24;
+constexpr double small_margin = 0.13;  // of the width of a picture
 
 /// One panel of the strip: its picture fills the box and `caption` stands below.
 struct Cell {
@@ -375,23 +382,26 @@ render::Size page_of_frame(const Look& look) {
 }
 
 Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look) {
-  if (look.stacked && walkthrough.layout != Layout::diagrams)
-    return panel_box(left_margin, stacked_right, rows_of_panels(look)).grown(panel_gap / 2 - 1);
-  const bool has_code = walkthrough.layout == Layout::search && walkthrough.panels.algorithm;
-  const double right = has_code ? right_margin - algorithm_width(look.style) - panel_gap : right_margin;
-  return panel_box(left_margin, right, rows_of_panels(look)).grown(panel_gap / 2 - 1);
+  Box box = box_of_panels(walkthrough, look);
+  const bool has_code = walkthrough.layout == Layout::search && walkthrough.panels.algorithm && !look.stacked;
+  if (has_code) box.max.x() -= algorithm_width(look.style) + panel_gap;
+  return box.grown(panel_gap / 2 - 1);
 }
 
 void draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
-  const Interval rows = rows_of_panels(look);
   if (look.text == Text::around) {
     draw_header(canvas, story.walkthrough, look.style);
-    draw_footer(canvas, {{left_margin, rows.to}, {right_margin, frame_page.height}}, story, index, look.style);
+    const double below = rows_of_panels(look).to;
+    draw_footer(canvas, {{left_margin, below}, {right_margin, frame_page.height}}, story, index, look.style);
   }
+  draw_panels(canvas, box_of_panels(story.walkthrough, look), story, index, look);
+}
+
+void draw_panels(Canvas& canvas, const Box& box, const StagedStory& story, std::size_t index, const Look& look) {
   switch (story.walkthrough.layout) {
-    case Layout::search: return draw_search(canvas, story, index, look);
-    case Layout::diagrams: return draw_diagram(canvas, story, index, panel_box(left_margin, right_margin, rows), look);
-    default: return draw_pair(canvas, story, index, look);
+    case Layout::search: return draw_search(canvas, box, story, index, look);
+    case Layout::diagrams: return draw_diagram(canvas, story, index, box, look);
+    default: return draw_pair(canvas, box, story, index, look);
   }
 }
 
@@ -400,6 +410,15 @@ void draw_objects_alone(Canvas& canvas, const StagedStory& story, std::size_t in
   const SceneOfFrame what(story, index, scene, look);
   const Box frame{Vec2::Zero(), Vec2(objects_page.width, objects_page.height)};
   draw_objects(canvas, {frame, "", view_of_objects(frame, what.shown)}, what.shown);
+}
+
+void draw_small(Canvas& canvas, const Box& box, const StagedStory& story, std::size_t index, std::size_t scene,
+                const Look& look) {
+  const SceneOfFrame of_frame(story, index, scene, look);
+  Shown what = of_frame.shown;
+  what.regions_beside = true;  // and nothing magnified: there is no room
+  const Box room = below_title(box, look.style).grown(-small_margin * box.width());
+  draw_scene(canvas, story, {box, "", fit(bounds_of_scene(story, scene, index, of_frame.lens), room)}, what);
 }
 
 render::Size strip_page(const StagedStory& story, const Look& look) {

@@ -47,17 +47,31 @@ render::Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look);
 /// index < story.frames.size().
 void draw_frame(render::Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look = {});
 
+/// Draws the panels of a frame into a part of another page.
+void draw_panels(render::Canvas& canvas, const render::Box& box, const StagedStory& story, std::size_t index,
+                 const Look& look);
+
 inline constexpr render::Size objects_page{420, 420};
 /// Draws the two objects of a scene alone. Requires: a canvas with the page objects_page, in the colour of the paper.
 void draw_objects_alone(render::Canvas& canvas, const StagedStory& story, std::size_t index, std::size_t scene,
                         const Look& look);
+
+/// Draws into a small box what a frame shows of the difference of a scene. Requires: no diagram.
+void draw_small(render::Canvas& canvas, const render::Box& box, const StagedStory& story, std::size_t index,
+                std::size_t scene, const Look& look);
 
 /// Draws into `room` what is written below the panels of a frame: how far the story is, the caption, and the numbers that decide;
 /// the facts smaller where there are many.
 void draw_footer(render::Canvas& canvas, const render::Box& room, const StagedStory& story, std::size_t index,
                  const Style& style);
 
-/// Draws the same words, without the number of frames, in one column that begins at the top left corner of the page, each at
+/// Draws the caption alone, as large as it fits, with the mark of its number.
+void draw_caption(render::Canvas& canvas, const render::Box& room, const Frame& frame, const Style& style);
+
+/// Returns: "iteration 2 · simplex [B, A]"; nothing of a diagram.
+std::string state_in_words(const StagedStory& story, std::size_t index);
+
+/// Draws the words of a footer, without the number of frames, in one column that begins at the top left corner of the page, each at
 /// its full size.
 /// Returns: how high the column is.
 double draw_words(render::Canvas& canvas, double width, const StagedStory& story, std::size_t index,

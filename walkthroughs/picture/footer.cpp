@@ -19,6 +19,7 @@ constexpr double first_line = 36, line_pitch = 30, small_pitch = 26, below_last_
 constexpr double top_of_column = 22;  // to its first line
 // The first that let all lines fit: of facts beside the caption, and of both where larger text than usual was asked for.
 constexpr double sizes_of_facts[] = {1, 0.88, 0.78, 0.68}, sizes_of_all[] = {1, 0.87, 0.76, 0.67};
+constexpr double sizes_of_caption[] = {1.25, 1.1, 1, 0.9, 0.8, 0.7};  // of one that stands alone
 
 struct Line {
   std::string text;
@@ -75,6 +76,10 @@ double height_of(const std::vector<Line>& lines) {
                          [](double sum, const Line& line) { return sum + line.pitch; });
 }
 
+bool fit_into(const Box& room, const std::vector<Line>& lines, const Style& style) {
+  return height_of(lines) - lines.back().pitch <= room.height() - style.scaled(first_line) - below_last_line;
+}
+
 /// Those that fit.
 void draw_lines(Canvas& canvas, const Box& room, const std::vector<Line>& lines, const Style& style) {
   Vec2 at = room.min + Vec2(0, style.scaled(first_line));
@@ -125,8 +130,7 @@ std::vector<Line> fitting_lines(Canvas& canvas, const Box& room, const Frame& fr
       lines.clear();
       append_caption(lines, canvas, frame, style, size, room.width());
       append_facts(lines, canvas, frame, style, size * size_of_facts, room.width());
-      if (height_of(lines) - lines.back().pitch <= room.height() - style.scaled(first_line) - below_last_line)
-        return lines;
+      if (fit_into(room, lines, style)) return lines;
     }
   }
   return lines;
@@ -141,10 +145,24 @@ void draw_footer(Canvas& canvas, const Box& room, const StagedStory& story, std:
   draw_lines(canvas, text, lines, style);
 }
 
+void draw_caption(Canvas& canvas, const Box& room, const Frame& frame, const Style& style) {
+  std::vector<Line> lines;
+  for (const double size : sizes_of_caption) {
+    lines.clear();
+    append_caption(lines, canvas, frame, style, size, room.width());
+    if (fit_into(room, lines, style)) break;
+  }
+  draw_lines(canvas, room, lines, style);
+}
+
+std::string state_in_words(const StagedStory& story, std::size_t index) {
+  return joined(state_of_search(story, index), " · ");
+}
+
 double draw_words(Canvas& canvas, double width, const StagedStory& story, std::size_t index, const Style& style) {
   const Frame& frame = story.frames[index];
-  std::string state = "step " + std::to_string(index + 1);
-  for (const std::string& words : state_of_search(story, index)) state += " · " + words;
+  const std::string words = state_in_words(story, index);
+  const std::string state = "step " + std::to_string(index + 1) + (words.empty() ? "" : " · ") + words;
   std::vector<Line> lines;
   append(lines, canvas, {state, style.small, style.scaled(line_pitch)}, width);
   append_caption(lines, canvas, frame, style, 1, width);

@@ -126,6 +126,14 @@ void add_formats(CLI::App& command, RenderOptions& render) {
   add_flag_of(command, "--sheet", render.sheet,
               "write OUT/NAME/sheet.png as well: all frames in one picture; --sheet=a4, letter, a4-across or "
               "letter-across: OUT/NAME/sheet.pdf, pages that can be read in print and searched");
+  command.add_flag(
+      "--deck", render.deck,
+      "write OUT/NAME/deck.pdf as well, a slide for each frame, and OUT/NAME/notes.pdf, what to say to each");
+  command.add_flag("--handout", render.handout,
+                   "write OUT/NAME/handout.pdf as well: the whole search on one page of paper");
+  command.add_flag(
+      "--quiz", render.quiz,
+      "write OUT/NAME/quiz.pdf as well: a question before each decision, to print, and behind them the answers");
   add_choice(command, "--format", render.format,
              "svg: OUT/NAME/000.svg, 001.svg, ... as well, which stay sharp however much they are enlarged",
              {"png", "svg"});

@@ -15,6 +15,7 @@
 #include "render/rendered_by.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/output/frames.hpp"
+#include "walkthroughs/output/handout.hpp"
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/output/pages.hpp"
 #include "walkthroughs/output/paper_sheet.hpp"
@@ -127,6 +128,11 @@ class Rendering {
     if (options_.sheet == "one") sinks_.push_back(std::make_unique<OneFile>(sheet()));
     if (const std::optional<render::PaperSize> paper = paper_named(options_.sheet))
       sinks_.push_back(std::make_unique<OneFile>(paper_sheets(*paper, !options_.text_scale, note_small_letters)));
+    if (options_.deck)
+      for (auto* const make : {deck, notes}) sinks_.push_back(std::make_unique<OneFile>(make()));
+    if (options_.handout) sinks_.push_back(std::make_unique<OneFile>(handout()));
+    if (options_.quiz)
+      sinks_.push_back(std::make_unique<OneFile>(quiz([this](const auto&... what) { note_unasked(what...); })));
     if (!has_pages()) return;
     std::vector<PageOrigin> origins;
     for (const Chosen& each : chosen_)
@@ -297,7 +303,9 @@ class Rendering {
     for (const Kind& kind :
          {Kind{page_file, "--page", has_pages()}, Kind{"strip.png", "--strip", options_.strip},
           Kind{"animation.png", "--apng", options_.apng}, Kind{"sheet.png", "--sheet", options_.sheet == "one"},
-          Kind{"sheet.pdf", "--sheet=a4", is_on_paper}, Kind{"000.svg", "--format svg", has_svg()}}) {
+          Kind{"sheet.pdf", "--sheet=a4", is_on_paper}, Kind{"deck.pdf", "--deck", options_.deck},
+          Kind{"handout.pdf", "--handout", options_.handout}, Kind{"quiz.pdf", "--quiz", options_.quiz},
+          Kind{"000.svg", "--format svg", has_svg()}}) {
       std::error_code unreadable;
       if (!kind.is_made && std::filesystem::exists(folder_ / w.name / kind.file, unreadable))
         note(w.name + ": " + kind.file + " is of an earlier run, and may tell of other pictures; " + kind.option +
@@ -333,6 +341,15 @@ class Rendering {
     std::snprintf(size, sizeof size, "%.1f", points);
     note(story.walkthrough.name + ": the smallest letters of its sheets have " + size +
          " points; choose paper held across, or --no-captions");
+  }
+
+  void note_unasked(const Story& story, std::size_t asked, std::size_t known) const {
+    const std::string about = story.walkthrough.name + ": ", none = "there is no quiz.pdf",
+                      missing = "the frames before " + std::to_string(known - asked) + " of its " +
+                                std::to_string(known) + " answers are left out, and the questions with them";
+    if (known == 0) return note(about + "it asks nothing, so " + none);
+    if (asked == 0) return note(about + missing + ", so " + none);
+    if (options_.frames || options_.detail == "iteration") note(about + missing);  // else the walkthrough begins later
   }
 
   static void write(const std::filesystem::path& file, const std::string& text, const std::string& what) {

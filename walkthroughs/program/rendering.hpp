@@ -21,6 +21,7 @@ struct RenderOptions {
   bool apng = false;
   std::string page;   ///< "beside" or "single"; empty: none
   std::string sheet;  ///< "one" picture, or a paper such as "a4-across"; empty: none
+  bool deck = false, handout = false, quiz = false;
   bool no_captions = false, no_values = false;
   std::optional<std::string> letters;
   std::string report;  ///< a page that shows them and lies beside the index, to which pages lead; empty: none

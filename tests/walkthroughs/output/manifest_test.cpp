@@ -9,6 +9,8 @@
 #include "tests/kit/folder.hpp"
 #include "tests/kit/text.hpp"
 
+namespace manifest_test {
+
 using namespace walkthroughs::program;
 using kit::bytes_of, kit::Folder, kit::has;
 namespace fs = std::filesystem;
@@ -152,3 +154,5 @@ TEST_CASE("Runs that write to one folder at once, and tidy it, know all files of
   CHECK(files_of_others(folder.path(), {"###.png"}).empty());
   CHECK(kit::lines(manifest_of(folder)).size() == 3);
 }
+
+}  // namespace manifest_test

@@ -5,6 +5,8 @@
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/text/printable.hpp"
 
+namespace movie_test {
+
 using namespace walkthroughs::program;
 
 namespace {
@@ -37,3 +39,5 @@ TEST_CASE("Paths that ffmpeg would take for something else begin in this folder"
     CHECK(words.find("\n1000/20\n") != std::string::npos);
   }
 }
+
+}  // namespace movie_test

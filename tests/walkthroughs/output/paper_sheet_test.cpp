@@ -6,6 +6,8 @@
 #include "tests/walkthroughs/program/program.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace paper_sheet_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 namespace fs = std::filesystem;
@@ -149,3 +151,5 @@ TEST_CASE("A paper that is not known is wrong usage, and --sheet alone is one pi
   CHECK(run("render figure-5 --sheet --size 320x180" + option_out(folder)).exit_code == 0);
   CHECK(listing(folder.path() / "figure-5") == std::vector<std::string>{"000.png", "001.png", "002.png", "sheet.png"});
 }
+
+}  // namespace paper_sheet_test

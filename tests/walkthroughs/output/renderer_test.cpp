@@ -9,6 +9,8 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/output/manifest.hpp"
 
+namespace renderer_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 namespace fs = std::filesystem;
@@ -153,3 +155,5 @@ TEST_CASE("An animation of frames that are not there is an error of writing, not
   }
   CHECK_FALSE(fs::exists(folder.path() / "figure-5/animation.png"));
 }
+
+}  // namespace renderer_test

@@ -5,6 +5,8 @@
 #include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace sheet_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using render::Image;
@@ -82,3 +84,5 @@ TEST_CASE("So many frames that no sheet holds them are told so") {
   CHECK_NOTHROW(sheet_layout(400'000, {{}, usual}));
   CHECK_THROWS_AS(sheet_layout(500'000, {{}, usual}), render::FileError);
 }
+
+}  // namespace sheet_test
