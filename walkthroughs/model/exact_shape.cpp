@@ -1,5 +1,6 @@
 #include "walkthroughs/model/exact_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -188,8 +189,41 @@ ExactAnswer exact_answer(const Object& a, const Object& b) {
   return {result.status, {}, result.gap};
 }
 
+namespace {
+
+bool is_flat(const Object& object) {
+  const auto* corners = std::get_if<Points>(&object.form);
+  return corners && is_at_rest(object.pose) && std::ranges::all_of(*corners, [](const Point& p) { return p.z() == 0; });
+}
+
+/// Returns: the prism over corners in the plane, up and down.
+Object prism_over(const Object& flat, double height) {
+  Object prism = flat;
+  Points& corners = std::get<Points>(prism.form);
+  for (Point corner : std::get<Points>(flat.form)) {
+    corner.z() = height;
+    corners.push_back(corner);
+  }
+  for (std::size_t i = 0; i < corners.size() / 2; ++i) corners[i].z() = -height;
+  return prism;
+}
+
+double size_of(const Object& flat) {
+  double size = 0;
+  for (const Point& corner : std::get<Points>(flat.form)) size = std::max(size, corner.lpNorm<Eigen::Infinity>());
+  return size;
+}
+
+}  // namespace
+
 bool is_near_contact(const Object& a, const Object& b, Scalar scalar) {
-  return with_scalar(scalar, [&]<class S>() { return answer_in<S>(a, b).status == gjk::Status::undecided; });
+  const auto is_open = [scalar](const Object& one, const Object& other) {
+    return with_scalar(scalar, [&]<class S>() { return answer_in<S>(one, other).status == gjk::Status::undecided; });
+  };
+  // Nothing lies inside of a flat difference, and so a proof in doubles never finds the origin there. Prisms meet where the corners do.
+  if (!is_flat(a) || !is_flat(b)) return is_open(a, b);
+  const double height = std::max(size_of(a), size_of(b));
+  return is_open(prism_over(a, height), prism_over(b, height));
 }
 
 }  // namespace walkthroughs::model
