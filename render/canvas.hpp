@@ -101,6 +101,7 @@ struct Grip {
   Vec2 at;                                    ///< page units
   Eigen::Vector3d right, up;                  ///< of the scene: what a page unit to the right and one upwards are there
   std::optional<Eigen::Vector3d> value = {};  ///< of the scene, where it is not what is moved itself
+  Box frame = {};                             ///< of the picture in which it lies, where that matters
 };
 
 class Canvas {

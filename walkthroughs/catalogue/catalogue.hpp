@@ -26,6 +26,7 @@ std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word);
 std::string nearest_name(std::string_view name);
 
 // The walkthroughs by their families, each made in a file of its name.
+std::vector<Walkthrough> lesson();
 std::vector<Walkthrough> two_triangles();
 std::vector<Walkthrough> figure_1();
 std::vector<Walkthrough> figure_2();

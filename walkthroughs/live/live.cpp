@@ -8,12 +8,14 @@
 
 #include "render/json_text.hpp"
 #include "render/svg_text.hpp"
-#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/catalogue/lesson.hpp"
+#include "walkthroughs/live/aims.hpp"
 #include "walkthroughs/live/changes.hpp"
 #include "walkthroughs/live/trace_reader.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/page/page.hpp"
 #include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/truth_told.hpp"
 #include "walkthroughs/text/scene_text.hpp"
@@ -72,6 +74,11 @@ const Scene* changeable_scene(const Walkthrough& walkthrough) {
   return has_mistake ? &walkthrough.scenes.back() : nullptr;
 }
 
+const Screen* screen_of(const Json& request) {
+  const std::size_t place = request.value("screen", screens().size());
+  return place < screens().size() ? &screens()[place] : nullptr;
+}
+
 // -- A story ----------------------------------------------------------------------------------------------------------
 
 /// Whether a camera looks at it.
@@ -105,8 +112,8 @@ Json answers_json(const Told& told) {
   return answers;
 }
 
-Json story_json(const Told& told, std::size_t frame, bool is_brief) {
-  const PagePictures drawn_by_the_page{.url = [](std::size_t, int) { return std::string(); }};
+Json story_json(const Told& told, std::size_t frame, bool is_brief, render::Font& font) {
+  const PagePictures drawn_by_the_page{.url = [](std::size_t, int) { return std::string(); }, .font = &font};
   const Scene* scene = changeable_scene(told.walkthrough);
   const auto only = is_brief ? std::optional(frame) : std::nullopt;
   Json answer{{"title", told.walkthrough.title},
@@ -145,6 +152,7 @@ Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Json grips_json(const render::Canvas& canvas, const render::Box& part, const Scene& scene) {
   Json all = Json::array();
   for (const render::Grip& grip : canvas.grips()) {
+    if (grip.name.starts_with(difference_grip)) continue;
     const render::Vec2 at = grip.at - part.min;
     Json each{{"name", grip.name},
               {"at", {at.x(), at.y()}},
@@ -165,13 +173,24 @@ Json picture_json(const render::Canvas& canvas, const render::Box& part, const S
           {"grips", scene ? grips_json(canvas, part, *scene) : Json::array()}};
 }
 
-Json picture_of_frame(const Told& told, std::size_t frame, const Look& look, render::Font& font) {
+/// `asked`: a question, or the direction that comes next.
+Json aims_json(const Told& told, std::size_t frame, const Json& asked, const render::Canvas& canvas,
+               const render::Box& part) {
+  if (asked == "direction") return aims_at_direction(told.story, frame, canvas, part);
+  const std::vector<Question> questions = in_frames(questions_of(told.story), told.story);
+  const std::size_t place = asked.get<std::size_t>();
+  return place < questions.size() ? aims_at_choices(questions[place], canvas, part) : Json::array();
+}
+
+Json picture_of_frame(const Told& told, std::size_t frame, const Look& look, const Json& asked, render::Font& font) {
   const Scene* scene = changeable_scene(told.walkthrough);
   const render::Size page = page_of_frame(look);
   render::Canvas canvas(page, page, look.style.theme.paper, font);
   draw_frame(canvas, told.story, frame, look);
-  Json answer = picture_json(canvas, pictures_of_frame(told.walkthrough, look), scene);
-  if (!canvas.grips().empty() || !scene) return answer;
+  const render::Box part = pictures_of_frame(told.walkthrough, look);
+  Json answer = picture_json(canvas, part, scene);
+  if (!asked.is_null()) answer["aims"] = aims_json(told, frame, asked, canvas, part);
+  if (!answer["grips"].empty() || !scene) return answer;
   render::Canvas objects(objects_page, objects_page, look.style.theme.paper, font);
   draw_objects_alone(objects, told.story, frame, told.story.tellings.size() - 1, look);
   answer["objects"] = picture_json(objects, {render::Vec2::Zero(), {objects_page.width, objects_page.height}}, scene);
@@ -198,13 +217,18 @@ struct Live::Impl {
       told = std::make_shared<const Told>(std::move(*file));
     else
       told = std::make_shared<const Told>(std::move(std::get<Walkthrough>(asked)));
-    if (!before || !request.contains("like")) {
+    const Screen* screen = screen_of(request);
+    Json answer;
+    if (before && request.contains("like")) {
+      const std::vector<Frame>& known = before->story.frames;
+      const std::size_t like = std::min(request["like"].get<std::size_t>(), known.size() - 1);
+      answer = story_json(*told, counterpart(known, like, told->story.frames), request.value("brief", false), font);
+    } else {
       cameras = nullptr;
-      return story_json(*told, 0, false);
+      answer = story_json(*told, screen ? first_frame(*screen, told->story) : 0, false, font);
     }
-    const std::vector<Frame>& known = before->story.frames;
-    const std::size_t like = std::min(request["like"].get<std::size_t>(), known.size() - 1);
-    return story_json(*told, counterpart(known, like, told->story.frames), request.value("brief", false));
+    if (screen) answer["is_done"] = screen->is_done && screen->is_done(told->story);
+    return answer;
   }
 
   Json draw(const Json& request) const {
@@ -212,7 +236,7 @@ struct Live::Impl {
     if (held && are_alike(*held, *told)) look.framing = &held->story;
     if (cameras && are_alike(*cameras, *told)) look.cameras = &cameras->story;
     const std::size_t frame = std::min(request.value("frame", std::size_t{0}), told->story.frames.size() - 1);
-    return picture_of_frame(*told, frame, look, font);
+    return picture_of_frame(*told, frame, look, request.value("asks", Json()), font);
   }
 
   Json hold(bool holds) {

@@ -8,12 +8,15 @@
 ///             one that is held. With "brief": true only that frame is told, and nothing that a page keeps while one drags.
 ///             Answer: {"title", "story": as pages have it (page.hpp), "frame", "in_space", "scene": as a scene file, or null where
 ///             it cannot be changed, "switches" (changes.hpp), "answers": {"whose", "mistake", "parting", "search", "truth", "is_wrong"}
-///             in words}. What is wrong with a text: {"error": {"line", "key", "reason", "text"}}. Where another program must be
+///             in words}. With "screen": N of the lesson also "is_done", and without "like" the frame with which that screen begins.
+///             What is wrong with a text: {"error": {"line", "key", "reason", "text"}}. Where another program must be
 ///             asked, which has all searches: {"more": true}. In either case the story told before stays
 ///     draw    {"frame": N, "theme": NAME, "text": SCALE, "height": page units of the panels, "stacked": BOOL, "turn": DEGREES,
 ///             "rise": DEGREES, "zoom": FACTOR}, of which all may be missing: the picture of a frame. Answer: {"picture": SVG,
 ///             "width", "height", "grips"}, and where none can be taken hold of there also "objects": the same of the two objects
-///             alone
+///             alone. With "asks": N also "aims": where the choices of that question can be pointed at, [{"choice", "at", "name"}];
+///             of a direction [{"choice", "from", "by"}], along which an arrow is drawn. With "asks": "direction" of that which
+///             comes next. Empty where that cannot be
 ///     hold    true: pictures keep the cameras and sizes of this story, whatever is told; false: the sizes no longer. The cameras stay
 ///             until something is told without "like"
 #pragma once

@@ -74,6 +74,7 @@
 
   $('cards').replaceChildren(...groups.map(group => group.section));
   part.append(...groups.map(({title}) => make('option', {textContent: title})));
+  $('start').hidden = window.gjkstepGroups[0]?.entries[0].name !== 'lesson';
   const isSearch = entry => entry.iteration_ends.length > 0;
   $('compare').hidden = window.gjkstepGroups.flatMap(group => group.entries).filter(isSearch).length < 2;
   words.addEventListener('input', keep);

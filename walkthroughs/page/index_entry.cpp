@@ -68,7 +68,8 @@ struct Known {
 
 /// As the report goes; a walkthrough belongs to the first whose prefix its name has, and what has none is the user's
 /// own.
-constexpr std::array<Known, 15> groups{{{"live", "Take hold"},
+constexpr std::array<Known, 16> groups{{{"lesson", "Start here"},
+                                        {"live", "Take hold"},
                                         {"figure-", "Figures of the report"},
                                         {"regions/0-simplex", "Regions of a 0-simplex, a vertex"},
                                         {"regions/1-simplex", "Regions of a 1-simplex, a segment"},
@@ -79,9 +80,9 @@ constexpr std::array<Known, 15> groups{{{"live", "Take hold"},
                                         {"as-printed-", "Where it goes wrong"},
                                         {"failures/", "Where it goes wrong"},
                                         {"complete/", "The remedy: rules that end"},
+                                        {"mistakes/", "Mistakes"},
                                         {"certified/", "Answers that are proven"},
                                         {"eager-", "A shortcut of ours"},
-                                        {"mistakes/", "Mistakes"},
                                         {"", "Scenes of your own"}}};
 
 const Known& group_of(const std::string& name) {

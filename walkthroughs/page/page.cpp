@@ -7,9 +7,12 @@
 #include <stdexcept>
 
 #include "render/html.hpp"
-#include "walkthroughs/catalogue/catalogue.hpp"
+#include "render/svg_text.hpp"
+#include "walkthroughs/catalogue/lesson.hpp"
 #include "walkthroughs/page/questions.hpp"
+#include "walkthroughs/picture/progress_graph.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/story/progress.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
@@ -17,8 +20,8 @@
 namespace walkthroughs::page {
 namespace {
 
-constexpr std::array of_viewer{"colors.css", "page.css",   "begin.js", "pages.js",
-                               "quiz.js",    "running.js", "stage.js", "page.js"};
+constexpr std::array of_viewer{"colors.css", "page.css",   "begin.js", "pages.js", "quiz.js",
+                               "lesson.js",  "running.js", "stage.js", "page.js"};
 
 /// Returns: the place of a value among all of a list, which has each once: what comes again and again is told by its
 /// place.
@@ -48,6 +51,67 @@ std::vector<std::size_t> scenes_with_code(const Story& story, std::size_t index)
   const bool is_right_for_both = !story.parts_at || story.frames[index].events[1].last <= *story.parts_at;
   return is_right_for_both ? std::vector<std::size_t>{1} : std::vector<std::size_t>{};
 }
+
+// -- How near the searches have come ------------------------------------------------------------------------------------
+
+/// What is told of it beside each frame. Of a story without searches nothing.
+class ProgressBeside {
+ public:
+  ProgressBeside(const Story& story, render::Font* font) : story_(story), font_(font) {}
+
+  /// Returns: the places of its sentence and of its graph; null where no search has a simplex.
+  PageJson of(std::size_t frame, PageJson& texts) {
+    if (all_.empty())  // not before it is asked for: while one drags it is not
+      for (const Telling& telling : story_.tellings) all_.push_back(progress_of(telling));
+    if (std::ranges::all_of(all_, &std::vector<Progress>::empty)) return nullptr;
+    std::vector<std::size_t> known;
+    for (std::size_t s = 0; s < all_.size(); ++s)
+      known.push_back(known_at(all_[s], story_.frames[frame].events[s].last));
+    PageJson data = PageJson::array({place_in(texts, sentence(known))});
+    if (!font_) return data;
+    const auto [place, is_new] = places_.emplace(known, graphs_.size() + 1);
+    if (is_new) graphs_.push_back(graph(known));
+    data.push_back(place->second);
+    return data;
+  }
+  /// Returns: what all graphs begin with, and the rest of each.
+  PageJson graphs() const {
+    if (graphs_.empty()) return PageJson::array();
+    const std::string& first = graphs_.front();
+    std::size_t same = first.size();
+    for (const std::string& graph : graphs_)
+      same = std::min(same, static_cast<std::size_t>(std::ranges::mismatch(first, graph).in1 - first.begin()));
+    same = first.rfind('<', same);  // whole elements, and whole characters
+    PageJson all = PageJson::array({first.substr(0, same)});
+    for (const std::string& graph : graphs_) all.push_back(graph.substr(same));
+    return all;
+  }
+
+ private:
+  std::string sentence(const std::vector<std::size_t>& known) const {
+    std::vector<std::string> told;
+    for (std::size_t s = 0; s < all_.size(); ++s)
+      told.push_back(progress_told(all_[s], known[s], story_.tellings[s].scene.dimension));
+    if (told.size() == 1) return told[0];
+    if (told[0] == told[1]) return "Both: " + told[0];
+    for (std::size_t s = 0; s < told.size(); ++s) told[s] = as_sentence(story_.tellings[s].scene.name + ": ") + told[s];
+    return joined(told, "\n");
+  }
+  std::string graph(const std::vector<std::size_t>& known) const {
+    const picture::Style style(render::themes::report);
+    std::vector<ProgressLine> lines;
+    for (std::size_t s = 0; s < all_.size(); ++s) lines.push_back({story_.tellings[s].scene.name, all_[s], known[s]});
+    render::Canvas canvas(progress_page, progress_page, style.theme.paper, *font_);
+    draw_progress(canvas, lines, style);
+    return svg_text(canvas, {{0, 0}, {progress_page.width, progress_page.height}});
+  }
+
+  const Story& story_;
+  render::Font* font_;
+  std::vector<std::vector<Progress>> all_;
+  std::map<std::vector<std::size_t>, std::size_t> places_;  // in graphs(), by how much of each search is known
+  std::vector<std::string> graphs_;
+};
 
 // -- A frame ----------------------------------------------------------------------------------------------------------
 
@@ -118,26 +182,12 @@ PageJson frame_data(const Story& story, const PagePictures& pictures, std::size_
 
 // -- Questions --------------------------------------------------------------------------------------------------------
 
-/// Returns: the frame that answers the question; nothing where the frame before it does not show what is asked about,
-/// as where there is one frame an iteration.
-std::optional<std::size_t> answering_frame(const Story& story, const Question& question) {
-  const auto [scene, event] = std::pair(question.scene, question.event);
-  for (std::size_t i = 1; i < story.frames.size(); ++i) {
-    const EventRange range = story.frames[i].events.at(scene);
-    if (range.last != event) continue;
-    for (std::size_t e = range.first; e < event; ++e)
-      if (std::holds_alternative<gjk::SupportFound<double>>(story.tellings[scene].trace.events[e])) return std::nullopt;
-    return i;
-  }
-  return std::nullopt;
-}
-
 /// `practice`: where one practises what it is about, as [title, URL].
-PageJson question_data(const Question& question, std::size_t frame, std::size_t practice, PageJson& texts) {
+PageJson question_data(const Question& question, std::size_t practice, PageJson& texts) {
   PageJson choices = PageJson::array();
   for (const Choice& choice : question.choices)
     choices.push_back({place_in(texts, choice.text), place_in(texts, choice.reason), place_in(texts, choice.hint)});
-  return {{"before", frame},
+  return {{"before", question.frame},
           {"kind", names_of_kinds[static_cast<int>(question.decision.kind)]},
           {"text", place_in(texts, question.text)},
           {"choices", choices},
@@ -150,6 +200,24 @@ PageJson practice_data(const Question& question, const Story& story, const PageS
   const std::string practice = practice_for(question.decision, story.walkthrough.name);
   const std::string page = practice.empty() ? "" : around.page_of(practice);
   return {page.empty() ? practice : find_walkthrough(practice)->title, page};
+}
+
+// -- The lesson -------------------------------------------------------------------------------------------------------
+
+constexpr const char* names_of_doings[] = {"change", "answer", "draw"};
+
+PageJson lesson_data(const PageSurroundings& around) {
+  PageJson all = PageJson::array();
+  for (const catalogue::Screen& screen : catalogue::screens())
+    all.push_back({{"title", screen.title},
+                   {"idea", screen.idea},
+                   {"task", screen.task},
+                   {"hint", screen.hint},
+                   {"seen", screen.seen},
+                   {"doing", names_of_doings[static_cast<int>(screen.doing)]},
+                   {"name", screen.walkthrough},
+                   {"page", around.page_of(std::string(screen.walkthrough))}});
+  return all;
 }
 
 // -- Files ------------------------------------------------------------------------------------------------------------
@@ -251,11 +319,11 @@ PageJson page_data(const Story& story, const PagePictures& pictures, const PageS
   PageJson frames = PageJson::array(), questions = frames, practices = frames, listings = frames, texts = frames;
   for (std::size_t i = 0; i < story.frames.size(); ++i)
     frames.push_back(only.value_or(i) == i ? frame_data(story, pictures, i, listings, texts) : PageJson());
+  ProgressBeside progress(story, pictures.font);
+  for (std::size_t i = 0; i < frames.size() && !only; ++i) frames[i]["progress"] = progress.of(i, texts);
   const std::vector<Question> known = only ? std::vector<Question>() : questions_of(story);
-  for (const Question& question : known)
-    if (const auto frame = answering_frame(story, question))
-      questions.push_back(
-          question_data(question, *frame, place_in(practices, practice_data(question, story, around)), texts));
+  for (const Question& question : in_frames(known, story))
+    questions.push_back(question_data(question, place_in(practices, practice_data(question, story, around)), texts));
   return {{"is_float", story.tellings.size() == 1 && story.tellings[0].scene.scalar == Scalar::binary32},
           {"text_scale", pictures.text_scale},
           {"live", around.live},
@@ -266,12 +334,14 @@ PageJson page_data(const Story& story, const PagePictures& pictures, const PageS
           {"questions", questions},
           {"practices", practices},
           {"listings", listings},
+          {"graphs", progress.graphs()},
           {"texts", texts}};
 }
 
 std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures, const PageSurroundings& around) {
   const Walkthrough& w = story.walkthrough;
-  const PageJson data = page_data(story, pictures, around);
+  PageJson data = page_data(story, pictures, around);
+  if (w.name == catalogue::lesson_name && !around.live.is_null()) data["lesson"] = lesson_data(around);
   std::vector<PageFile> files{{story_file, story_script(index_entry(story, pictures), data)},
                               {events_file, events_script(story)}};
   for (const char* name : of_viewer) files.push_back({name, viewer_file(name, pictures)});
@@ -284,7 +354,7 @@ std::vector<PageFile> page_files(const Story& story, const PagePictures& picture
                                             {"command", render::escaped(around.command)},
                                             {"sources", html_of(around.sources)}});
   if (!around.has_files_beside) {
-    std::string all = files[0].content + files[1].content + viewer_files.at("quiz.js");
+    std::string all = files[0].content + files[1].content + viewer_files.at("quiz.js") + viewer_files.at("lesson.js");
     if (!around.live.is_null())
       for (const PageFile& program : page_programs()) all += program.content;
     return {{page_file, with_inside(html, {{story_file, all}})}};

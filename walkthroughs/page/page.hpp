@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/font.hpp"
 #include "render/geometry.hpp"
 #include "walkthroughs/story/story.hpp"
 
@@ -51,12 +52,13 @@ using PageJson = nlohmann::ordered_json;
 /// The pictures that a page shows, one a frame; drawn already, or to be drawn.
 struct PagePictures {
   std::function<std::string(std::size_t frame, int turn)>
-      url;                 ///< of a picture, seen from the page; `turn` 0: the usual view
-  render::Size page = {};  ///< on which they are laid out,
-  render::Box part = {};   ///< and what of it is shown
-  double text_scale = 1;   ///< of their text, which that of the page follows
-  int turns = 0;           ///< further views of each, all around
-  bool is_dark = false;    ///< drawn on a dark ground
+      url;                       ///< of a picture, seen from the page; `turn` 0: the usual view
+  render::Size page = {};        ///< on which they are laid out,
+  render::Box part = {};         ///< and what of it is shown
+  double text_scale = 1;         ///< of their text, which that of the page follows
+  int turns = 0;                 ///< further views of each, all around
+  bool is_dark = false;          ///< drawn on a dark ground
+  render::Font* font = nullptr;  ///< to draw graphs with, which stand in the data; without it there are none
 };
 
 /// Returns: name, title, section; a sentence, with markup; the answer of each scene; how many steps there are; the last

@@ -3,7 +3,8 @@
 (() => {
   if (!window.gjkstep) return;  // it was left behind: all pictures stand below each other
   const {entry} = window.gjkstep;
-  let {story} = window.gjkstep, {frames} = story;
+  let {story} = window.gjkstep, {frames} = story, lesson = null;  // that is open, where this is the lesson
+  const {lesson: screens} = story;
   let title = document.title;
   const heading = document.querySelector('h1');
   let name = heading.textContent, stage = null;  // what draws and can be taken hold of, once the program runs
@@ -24,7 +25,22 @@
   const told = (tag, mark, text) => make(tag, {className: mark},
     make('i', {className: 'unseen', textContent: wordsOf[mark] ?? ''}), mark === 'skipped' ? 'skipped ' : '', ...marked(text));
   const fact = ([mark, text]) => told('li', mark, textOf(text));
-  const inWords = i => frames[i].words.map(textOf).join(' ');
+  const inWords = i => (frames[i]?.words ?? []).map(textOf).join(' ');
+
+  // How near the search has come: one box for all steps, by the picture, where it keeps its place.
+  const nearing = make('figure', {className: 'progress'}, make('div', {ariaHidden: 'true'}), make('figcaption'));
+  function tellProgress({progress}) {
+    nearing.hidden = !progress && !story.is_brief;
+    nearing.classList.toggle('former', !progress);  // while one drags
+    if (progress) {
+      const [drawn, caption] = nearing.children, words = textOf(progress[0]), graph = story.graphs[0] + story.graphs[progress[1]];
+      refill(caption, words, () => marked(words));
+      refill(drawn, graph, () => [elementOf(graph)]);
+    }
+    if (isWide.matches && frames[at].events.length > 1) steps[at].querySelector('.told').append(nearing);  // pictures of two are large
+    else if (stage && isWide.matches) $('taking').before(nearing);
+    else steps[at].querySelector('.seen').append(nearing);
+  }
 
   let steps = [];
   // What says the same is not laid out anew.
@@ -39,7 +55,8 @@
     told('h2', frame.mark ?? '', frame.caption),
     ...frame.facts.length ? [make('ul', {}, ...frame.facts.map(fact))] : []];
   const makeStep = (frame, i) => make('section', {className: 'step', id: i + 1},
-    make('div', {className: 'shot'}, make('img', {loading: 'lazy', alt: inWords(i), src: frame.pictures[0]})),
+    make('div', {className: 'seen'},
+      make('div', {className: 'shot'}, make('img', {loading: 'lazy', alt: inWords(i), src: frame.pictures[0]}))),
     make('div', {className: 'text'},
       make('div', {className: 'told'}, ...toldOf(frame, i)),
       ...frame.code.map(() => make('div', {className: 'code'}, make('h3'), make('ol')))));
@@ -123,6 +140,7 @@
     steps[at]?.classList.remove('now');
     steps[at = i].classList.add('now');
     complete(i);
+    tellProgress(frames[i]);
     stage?.draw();
     tellPicture(inWords(i));
     set($('slider'), {ariaValueText: steps[i].querySelector('.where').textContent});
@@ -131,18 +149,18 @@
     quiz.arrive(moved);
     entitle();
     if (isBare) parent.postMessage({reading: readingTime()}, '*');
-    if (how !== 'stay' && moved) history[how === 'push' ? 'pushState' : 'replaceState'](null, '', addressOf(i));
+    if (how !== 'stay' && moved && !lesson) history[how === 'push' ? 'pushState' : 'replaceState'](null, '', addressOf(i));
   }
 
   // What is seen, for who does not see it.
   function tellPicture(words) {
-    set(steps[at].querySelector('img') ?? {}, {alt: words});
+    set(steps[at]?.querySelector('img') ?? {}, {alt: words});
     set($('picture').querySelector('.drawn'), {ariaLabel: words});
   }
 
   // Titles tell how it ends: not while it is asked.
   function entitle() {
-    const untold = quiz.untold();
+    const untold = lesson ? '' : quiz.untold();
     set(document, {title: `${at + 1}/${frames.length} ${untold || title}`});
     set(heading, {textContent: untold || name});
     for (const told of document.querySelectorAll('.made, #answers')) told.classList.toggle('untold', untold !== '');
@@ -165,7 +183,8 @@
     try {
       const quizAbout = await loaded('quizAbout', 'quiz.js');
       quiz = asker ??= quizAbout({steps, entry, story, show: stepping.turnTo, entitle, inWords, tellPicture, place: () => at,
-                                  keeps: !stage?.isChanged()});
+                                  keeps: !stage?.isChanged() && !lesson, answered: isRight => lesson?.answered(isRight),
+                                  onPicture: (k, answer) => stage?.ask(k, answer) ?? false});
       quiz.toggle();
     } catch (error) {
       $('live').textContent = error.message;
@@ -209,6 +228,7 @@
   for (const [id, act] of [['predict', predict], ['turn-back', turning.ArrowLeft], ['turn-on', turning.ArrowRight]])
     $(id).addEventListener('click', act);
   addEventListener('popstate', () => {
+    if (lesson) return;
     const scene = sceneOf(location.hash);
     if (stage && (scene ?? '') !== taken) restore(scene);
     else stepping.go(addressed(), 'stay');
@@ -283,20 +303,23 @@
 
   const isDark = matchMedia('(prefers-color-scheme: dark)');
   const host = {
-    name: entry.name, known: entry.name, file: `${entry.name.split('/').at(-1)}.json`,
+    name: entry.name, known: story.live?.file ?? entry.name, file: `${entry.name.split('/').at(-1)}.json`,
     frame: () => at,
+    beside: () => lesson?.beside() ?? {},
     looks: () => ({theme: entry.is_dark || isDark.matches ? 'dark' : 'report', text: story.text_scale}),
     pause: () => stepping.go(at, 'stay'),
     say: text => { $('live').textContent = text; },
     changed(answer) {
       story = {...answer.story, text_scale: story.text_scale};
       frames = story.frames;
-      title = answer.title;
+      title = lesson?.title ?? answer.title;
       offerTurns();
       fillPage();
       stepping.turnTo(answer.frame, 'stay');
+      lesson?.told(answer);
     },
     async kept(scene, isOther) {  // `isOther`: a scene that came from elsewhere, and has a title of its own
+      if (screens) return;
       taken = scene ? await packed(scene) : '';
       name = scene && !isOther ? `Changed: ${title}` : title;
       document.documentElement.classList.toggle('changed', Boolean(scene));
@@ -307,7 +330,10 @@
   const offerTurns = () => { for (const id of ['turn-back', 'turn-on']) $(id).hidden = !stage.isInSpace(); };
   async function begin() {
     const hash = location.hash;
-    if (!runsPrograms()) return;
+    if (!runsPrograms()) {
+      set($('lesson'), {hidden: !screens, textContent: 'The lesson needs WebAssembly, which this browser does not have. Its pictures stand here; nothing can be done in them.'});
+      return;
+    }
     const names = ['gjkstepProgram', 'gjkstepAllSearches'], {live, programs} = story;
     const program = await programFrom(i => loaded(names[i], programs[i]));
     const told = await program.asked({tell: live});
@@ -317,7 +343,19 @@
     show(at, 'stay');
     performance.mark('first picture');
     isDark.addEventListener('change', () => stage.draw());
-    if (sceneOf(hash)) await restore(sceneOf(hash), stepOf(hash));
+    if (screens) await openLesson(program);
+    else if (sceneOf(hash)) await restore(sceneOf(hash), stepOf(hash));
+  }
+
+  async function openLesson(program) {
+    const lessonAbout = await loaded('lessonAbout', 'lesson.js');
+    const asks = async wanted => {
+      if (wanted !== ($('predict').ariaPressed === 'true')) await predict();
+      if (wanted) stepping.keys.ArrowRight();
+    };
+    lesson = lessonAbout({title, screens, host, stage, asks, open: request => program.asked({tell: request})});
+    name = title = lesson.title;
+    await lesson.begin();
   }
 
   // The scene of an address; without one that of the page.

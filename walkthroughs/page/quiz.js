@@ -1,7 +1,8 @@
 'use strict';
 // Asks before each decision what will be found.
 // `keeps`: whether answers outlive the page; those about a changed scene do not.
-function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, place, keeps}) {
+// `onPicture(k, answer)`: asks there, too, and returns whether it can; of null no longer. `answered(isRight)`: once the answer is shown.
+function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, place, keeps, onPicture, answered}) {
   const textOf = place => story.texts[place];
   const questions = story.questions.map(question => (
     {...question, text: textOf(question.text), choices: question.choices.map(choice => choice.map(textOf))}));
@@ -50,6 +51,9 @@ function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, pl
     hideWords(true);
     mark(false);
     $('quiz').hidden = false;
+    const isAimed = onPicture(k, c => c === null ? $('verdict').textContent = 'No way on leads there: draw again.' : answer(c));
+    $('in-words').open = !isAimed;
+    if (isAimed) $('verdict').textContent = questions[k].kind === 'direction' ? 'Draw an arrow in the picture.' : 'Press it in the picture.';
     $('question').focus();
   }
 
@@ -78,6 +82,8 @@ function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, pl
   function tell(buttons, c) {
     const {choices, right} = questions[asked], reason = choices[right][1];
     isTold = true;
+    answered(c === right);
+    $('in-words').open = true;
     for (const button of buttons) button.disabled = true;
     buttons[c].classList.add('wrong');
     buttons[right].className = 'right';
@@ -102,6 +108,7 @@ function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, pl
 
   function close() {
     asked = null;
+    onPicture(null);
     hideWords(openQuestion() >= 0);
     mark(true);
     $('quiz').hidden = $('score').hidden = true;

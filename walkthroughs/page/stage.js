@@ -6,8 +6,8 @@
 function stageOf({ask, asked}, told, host) {
   const stage = $('stage'), isInSpace = () => told.in_space, still = {turn: 0, rise: 0, zoom: 1};
   // What is shown: a scene, or where it is none that can be changed {request} by which it is told.
-  const original = told.scene ?? {request: host.live}, ownFile = host.file;
-  let view = {...still}, scene = original, past = [], future = [], shown = null;
+  let original = told.scene ?? {request: host.live}, ownFile = host.file;
+  let view = {...still}, scene = original, past = [], future = [], shown = null, asking = null;
   // Keys in any order say the same.
   const sorted = value => Array.isArray(value) || !value || typeof value !== 'object' ? value
     : Object.fromEntries(Object.keys(value).sort().map(key => [key, sorted(value[key])]));
@@ -24,7 +24,7 @@ function stageOf({ask, asked}, told, host) {
     const wanted = isStacked() ? 1.3 * width : narrow.matches ? width / (objects ? 2 : 1) : objects ? 0 : width * box.clientHeight / Math.max(1, box.clientWidth);
     return Math.round(Math.max(400, Math.min(900, (wanted || 448) - page)));
   }
-  const drawn = i => ask({draw: {frame: i, height, ...view, ...host.looks(), ...isStacked() ? {stacked: true, text: 1.2} : narrow.matches ? {text: 1.5} : {}}});
+  const drawn = i => ask({draw: {frame: i, height, ...view, ...host.looks(), ...asking ? {asks: asking.what} : {}, ...isStacked() ? {stacked: true, text: 1.2} : narrow.matches ? {text: 1.5} : {}}});
   function draw() {
     shown = drawn(host.frame());
     const fitting = drag ? height : heightFor(shown);  // which asks for a layout
@@ -34,6 +34,7 @@ function stageOf({ask, asked}, told, host) {
     }
     const {objects} = shown;
     fill($('picture'), shown);
+    fillAims(shown);
     $('objects').hidden = !objects;
     if (objects) fill($('objects'), objects);
     const aspect = shown.width / shown.height, isWide = Boolean(objects) && aspect > 2.2;  // then the objects stand below, else beside
@@ -61,6 +62,76 @@ function stageOf({ask, asked}, told, host) {
     for (const handle of old.values()) handle.remove();
     if (old.has(focused)) $('slider').focus({preventScroll: true});
     if (focused) handles.querySelector(`[data-name="${CSS.escape(focused)}"]`)?.focus({preventScroll: true});
+  }
+
+  // -- Answers in the picture: what is pressed, or drawn as an arrow ----------------------------------------------------
+
+  const aims = $('picture').querySelector('.aims');
+  const placed = (element, [x, y]) => {
+    Object.assign(element.style, {left: `${100 * x / shown.width}%`, top: `${100 * y / shown.height}%`});
+    return element;
+  };
+  function fillAims({aims: all = []}) {
+    if (aims.what === JSON.stringify([all, shown.width, shown.height])) return;
+    aims.what = JSON.stringify([all, shown.width, shown.height]);
+    aims.classList.toggle('drawing', Boolean(all[0]?.by));
+    aims.replaceChildren(...all[0]?.by ? arrowFrom(all) : all.map(({choice, name, at}) => {
+      const button = make('button', {type: 'button', className: 'aim'}, ...marked(name));
+      button.addEventListener('click', () => asking?.answer(choice));
+      return placed(button, at);
+    }));
+  }
+
+  // One arrow, which leads where one points; arrow keys turn it.
+  let arrow = null;
+  function arrowFrom(all) {
+    const tip = placed(make('i', {className: 'arrow'}), all[0].from);
+    const start = placed(make('button', {type: 'button', className: 'from', ariaLabel: 'Direction: arrow keys turn it, Enter draws it'}), all[0].from);
+    arrow = {tip, start, all, angle: 0};
+    start.addEventListener('keydown', event => {
+      const by = {ArrowLeft: 15, ArrowUp: 15, ArrowRight: -15, ArrowDown: -15}[event.key];
+      if (event.key === 'Enter') draws();
+      else if (by) point(arrow.angle + by), host.say(`${arrow.angle} degrees from the right, upwards`);
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    });
+    return [tip, start];
+  }
+  function point(angle, length = 90) {
+    arrow.angle = (Math.round(angle) + 540) % 360 - 180;
+    Object.assign(arrow.tip.style, {width: `${length}px`, transform: `rotate(${-angle}deg)`});
+  }
+  const nearEnough = Math.cos(25 * Math.PI / 180);
+  function draws() {
+    const angle = arrow.angle * Math.PI / 180;
+    const cosine = ({by: [x, y]}) => (x * Math.cos(angle) - y * Math.sin(angle)) / Math.hypot(x, y);
+    const best = arrow.all.reduce((one, other) => cosine(other) > cosine(one) ? other : one);
+    asking?.answer(cosine(best) > nearEnough ? best.choice : null);
+  }
+  function followArrow(event) {
+    const {left, top} = arrow.start.getBoundingClientRect(), half = arrow.start.offsetWidth / 2;
+    const x = event.clientX - left - half, y = event.clientY - top - half;
+    if (Math.hypot(x, y) > 12) point(Math.atan2(-y, x) * 180 / Math.PI, Math.hypot(x, y));
+    return Math.hypot(x, y) > 12;
+  }
+  aims.addEventListener('pointerdown', event => {
+    if (!aims.matches('.drawing') || event.button !== 0) return;
+    event.stopPropagation();
+    aims.setPointerCapture(event.pointerId);
+    aims.follows = true;
+  });
+  aims.addEventListener('pointermove', event => { if (aims.follows) followArrow(event); });
+  aims.addEventListener('pointerup', event => { if (aims.follows && followArrow(event)) draws(); aims.follows = false; });
+  aims.addEventListener('pointercancel', () => { aims.follows = false; });
+
+  // `what`: a question, or "direction"; null: nothing any more. `answer`: told the choice; null where an arrow leads to none.
+  // Returns: whether it can be answered in the picture.
+  function askFor(what, answer) {
+    if (what === null && !asking) return false;
+    asking = what === null ? null : {what, answer};
+    draw();
+    return Boolean(shown.aims?.length);
   }
 
   // -- Values of the scene, at paths ----------------------------------------------------------------------------------
@@ -136,8 +207,8 @@ function stageOf({ask, asked}, told, host) {
   }
 
   // `like`: the frame whose like is to be shown.
-  const requestFor = (next, like, isBrief = false) => ({tell: next.request ? {...next.request, like}
-    : {scene: JSON.stringify(next), file: host.file, like, brief: isBrief}});
+  const requestFor = (next, like, isBrief = false) => ({tell: {...host.beside(), like, ...next.request
+    ?? {scene: JSON.stringify(next), file: host.file, brief: isBrief}}});
 
   // Shows what the program has told of a scene. Returns: whether it was one.
   function show(answer, next) {
@@ -150,6 +221,16 @@ function stageOf({ask, asked}, told, host) {
     return true;
   }
   const complain = text => { $('complaint').textContent = text; $('complaint').hidden = !text; };
+
+  // Another scene to begin with: the answer of the program about it.
+  function begin(answer) {
+    scene = original = answer.scene;
+    past = [];
+    future = [];
+    view = {...still};
+    show(answer, scene);
+    kept();
+  }
 
   // A change that can be undone. Returns: whether it is one, and could be told.
   async function change(next) {
@@ -198,7 +279,7 @@ function stageOf({ask, asked}, told, host) {
 
   stage.addEventListener('pointerdown', event => {
     const box = event.target.closest('.box'), handle = box && nearestGrip(box, event);
-    if (!box || event.button !== 0 || drag) return;
+    if (!box || event.button !== 0 || drag || event.target.closest('.aim')) return;
     drag = {x: event.clientX, y: event.clientY, box, units: unitsOf(box), view: {...view}, like: host.frame(),
             before: scene, grip: handle?.grip, moves: false};
     if (handle) {
@@ -451,7 +532,8 @@ function stageOf({ask, asked}, told, host) {
   fillSwitches();
   kept();
   window.gjkstep.drawn = i => ask({draw: {frame: i}});  // for tests, and who looks closer
-  return {draw, turnBy, isInSpace, isChanged, complain,
+  const close = () => { for (const open of $('taking').querySelectorAll('details[open]')) open.open = false; };
+  return {draw, turnBy, close, isInSpace, isChanged, complain, begin, ask: askFor,
           restore: async next => { if (await change(next ?? original)) announce('the scene of the address'); },
           drawn: i => elementOf(ask({draw: {frame: i, height, ...view, theme: 'report', text: host.looks().text}}).picture)};
 }

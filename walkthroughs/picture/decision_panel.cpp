@@ -87,6 +87,7 @@ class DecisionPicture {
       const Shown inside = shown_.in(small);
       DecisionPicture(frame_, view_, inside, is_alone_).inset(magnified);
     });
+    if (shown_.grips) tell_origin(canvas, panel);
   }
 
   Box bounds;  ///< what must be shown, in scene units
@@ -101,6 +102,15 @@ class DecisionPicture {
     panel.drop_labels();
     vertices(pencil);
     name_origin(panel, -middle_of(corners()));
+  }
+
+  void tell_origin(render::Canvas& canvas, const render::Panel& panel) const {
+    if (view_.kind != Kind::true_shape && view_.kind != Kind::edge_on) return;
+    const Plane& plane = lens_.plane;
+    const double unit = 1 / (panel.view().scale() * shown_.stage.placing.scale);
+    canvas.add_grip({difference_grip_of(view_.face, view_.kind == Kind::edge_on),
+                     panel.view().page(lens_(Point::Zero())), plane.right * (unit / plane.stretch.x()),
+                     plane.up * (unit / plane.stretch.y()), std::nullopt, frame_});
   }
 
   /// Chooses how much what decides is stretched: an origin that stands nearer to its plane than its mark is wide is told

@@ -148,6 +148,7 @@ class DifferencePicture {
     origin();
     names();
     if (focus == Focus::region) name_rejected_faces(pencil_, shown_);
+    if (shown_.grips) pencil_.grip(canvas, shown_.stage.placing.scale, difference_grip, Point::Zero());
   }
 
   /// One move: where it started, where it ended, and whether it crossed the origin.

@@ -61,25 +61,14 @@ void draw_crossing(Pencil& pencil, const std::vector<CrossingPiece>& crossing) {
 
 constexpr std::size_t most_grips = 64;  // of one object: more would cover it
 
-/// Adds one where `at` is drawn, unless that is outside of the panel. `scale`: what scenes are drawn in, in their own unit.
-void add_grip(render::Canvas& canvas, const Pencil& pencil, double scale, const std::string& name, const Point& at,
-              const Eigen::Matrix3d& turned_back = Eigen::Matrix3d::Identity(), std::optional<Point> value = {}) {
-  if (!pencil.holds(at)) return;
-  const double unit = pencil.length(1) / scale;
-  const auto& camera = pencil.lens().camera;
-  const Point right = camera ? camera->right() : Point::UnitX(), up = camera ? camera->up() : Point::UnitY();
-  canvas.add_grip(
-      {name, pencil.panel().view().page(pencil.at(at)), turned_back * right * unit, turned_back * up * unit, value});
-}
-
 /// Its middle, by which it is moved as a whole, and its corners, each in the object's own place.
 void add_grips(render::Canvas& canvas, const Pencil& pencil, double scale, const std::string& key, const Object& object,
                const Point& middle) {
-  add_grip(canvas, pencil, scale, key, middle);
+  pencil.grip(canvas, scale, key, middle);
   const std::vector<Point> corners = vertices_of(object);
   for (std::size_t i = 0; i < std::min(corners.size(), most_grips); ++i)
-    add_grip(canvas, pencil, scale, key + ".points[" + std::to_string(i) + "]", corners[i],
-             object.pose.rotation.transpose());
+    pencil.grip(canvas, scale, key + ".points[" + std::to_string(i) + "]", corners[i],
+                object.pose.rotation.transpose());
 }
 
 /// The tip of the first direction, as long as it is drawn; where that is out of sight, a point before it.
@@ -88,8 +77,7 @@ void add_grip_of_direction(render::Canvas& canvas, const Pencil& pencil, double 
   const Point whole = d.stableNormalized() * pencil.length(pencil.style().arrow_length);
   for (const Point& arrow : {whole, Point(0.6 * whole), Point(0.3 * whole)})
     if (pencil.holds(from + arrow))
-      return add_grip(canvas, pencil, scale, "first_direction", from + arrow, Eigen::Matrix3d::Identity(),
-                      arrow / scale);
+      return pencil.grip(canvas, scale, "first_direction", from + arrow, Eigen::Matrix3d::Identity(), arrow / scale);
 }
 
 Point middle_of_object(const Object& object, const Body& body) {

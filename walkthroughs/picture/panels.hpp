@@ -40,6 +40,14 @@ struct Shown {
   }
 };
 
+/// A grip that moves nothing: where the origin of a difference is drawn, through which one knows where all of it is. One for each
+/// scene; the names of those of plane pictures begin so, too.
+inline constexpr const char* difference_grip = "difference";
+/// Returns: the name of that of a triangle's plane, straight down its normal, or seen edge-on.
+inline std::string difference_grip_of(const gjk::Roles& face, bool is_edge_on) {
+  return difference_grip + std::string(is_edge_on ? " edge-on " : " flat ") + to_string(face);
+}
+
 render::Box bounds_of_objects(const Stage& stage, const Lens& lens);
 
 /// The two objects, the support points and the directions in which they are farthest.

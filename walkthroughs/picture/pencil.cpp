@@ -172,6 +172,15 @@ void Pencil::body(const std::vector<Vec2>& outline, const std::vector<render::Fa
 
 Vec2 start_of_triad(const render::Box& frame) { return {frame.min.x() + triad_margin, frame.max.y() - triad_margin}; }
 
+void Pencil::grip(render::Canvas& canvas, double scale, const std::string& name, const Point& at,
+                  const Eigen::Matrix3d& turned_back, std::optional<Point> value) const {
+  if (!holds(at)) return;
+  const double unit = length(1) / scale;
+  const Point right = in_space() ? lens_.camera->right() : Point::UnitX(),
+              up = in_space() ? lens_.camera->up() : Point::UnitY();
+  canvas.add_grip({name, panel_.view().page(this->at(at)), turned_back * right * unit, turned_back * up * unit, value});
+}
+
 void Pencil::triad(render::Canvas& canvas, const render::Box& frame) {
   if (!in_space()) return;
   const Vec2 start = start_of_triad(frame);

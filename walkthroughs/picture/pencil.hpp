@@ -1,6 +1,7 @@
 /// Drawing things of a scene, flat or through a camera, on a panel: bodies, points, directions, planes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,11 @@ class Pencil {
             const render::Stroke& stroke, const std::vector<std::vector<render::Vec2>>& lit = {});
   /// The edges of a closed surface, those behind thin and dashed in the same colour.
   void edges(const std::vector<render::Face>& faces, const render::Stroke& stroke);
+
+  /// Tells of something that can be taken hold of where `at` is drawn, unless that is outside of the panel. `scale`: what scenes are
+  /// drawn in, in their own unit.
+  void grip(render::Canvas& canvas, double scale, const std::string& name, const Point& at,
+            const Eigen::Matrix3d& turned_back = Eigen::Matrix3d::Identity(), std::optional<Point> value = {}) const;
 
   /// Three small arrows in the lower left corner of the panel's `frame` that tell where x, y and z point. Nothing in the
   /// plane.

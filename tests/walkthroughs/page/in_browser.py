@@ -7,6 +7,7 @@ import base64, json, os, pathlib, shutil, subprocess, sys, tempfile, unittest
 
 try:
     from selenium import webdriver
+    from selenium.common.exceptions import StaleElementReferenceException
     from selenium.webdriver import ActionChains
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By

@@ -27,6 +27,11 @@ class Page(PageInBrowser):
                 self.find("#onward").click()
         return count
 
+    def choose(self, place):
+        """In words, which stand folded where the picture can be pressed."""
+        self.js("document.getElementById('in-words').open = true")
+        self.all("#choices button")[place].click()
+
     def test_while_a_question_stands_nothing_read_aloud_tells_the_answer(self):
         self.open(searched, "#11")
         self.live()
@@ -37,7 +42,7 @@ class Page(PageInBrowser):
         self.assertTrue(self.find("#quiz").is_displayed())
         self.assertEqual(name(), "The picture; it is told in words once the question is answered.")
         self.assertFalse(any(told.is_displayed() for told in self.all(".made")))
-        self.all("#choices button")[next(q for q in self.questions() if q["before"] == 11)["right"]].click()
+        self.choose(next(q for q in self.questions() if q["before"] == 11)["right"])
         self.assertEqual(name(), words)
 
     def test_all_predicted_rightly(self):
@@ -92,7 +97,7 @@ class Page(PageInBrowser):
         self.predict()
         self.press(Keys.ARROW_RIGHT)
         wrong = 1 if question["right"] == 0 else 0
-        self.all("#choices button")[wrong].click()
+        self.choose(wrong)
         texts = self.js("return gjkstep.story.texts")
         plain = lambda place: re.sub(r"_{(.*?)}|_(.)", r"\1\2", texts[place])
         verdict = self.find("#verdict").get_attribute("textContent")
@@ -104,7 +109,7 @@ class Page(PageInBrowser):
         self.assertIn("Try once more", self.find("#verdict").text)
         self.assertFalse(self.all("#choices .right"))
         another = next(c for c in range(len(question["choices"])) if c not in (wrong, question["right"]))
-        self.all("#choices button")[another].click()
+        self.choose(another)
         wrong = another
         verdict = self.find("#verdict").get_attribute("textContent")
         reasons = [plain(question["choices"][choice][1]) for choice in (wrong, question["right"])]
@@ -120,8 +125,8 @@ class Page(PageInBrowser):
         self.open(searched, f"#{question['before']}")
         self.predict()
         self.press(Keys.ARROW_RIGHT)
-        self.all("#choices button")[1 if question["right"] == 0 else 0].click()
-        self.all("#choices button")[question["right"]].click()
+        self.choose(1 if question["right"] == 0 else 0)
+        self.choose(question["right"])
         self.assertTrue(self.find("#verdict").text.startswith("Right: "))
         self.assertEqual(self.find("#onward").text, "Go on")
         self.press(Keys.END)

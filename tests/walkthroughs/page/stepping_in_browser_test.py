@@ -229,6 +229,49 @@ class Page(PageInBrowser):
         self.open(searched, "#23")
         assert_in_sight("opened at step 23")
 
+    def test_the_graph_of_progress_keeps_its_place_in_sight_from_step_to_step(self):
+        def assert_graphs_stay(size):
+            places, told = set(), []
+            for number in range(1, last + 1):
+                x, y, width, height, bottom, words = self.js("""
+                    const graph = document.querySelector('.progress'), {x, y, width, height} = graph.firstChild.getBoundingClientRect();
+                    const picture = document.querySelector('.live #stage, .now .seen').getBoundingClientRect();
+                    return [x, y - picture.y, width, height, y + height, graph.textContent]""")
+                places.add((x, y, width, height))
+                told.append(words)
+                if size[0] > 900:
+                    self.assertLessEqual(bottom, self.js("return document.querySelector('.controls').getBoundingClientRect().top"))
+                self.press(Keys.ARROW_RIGHT)
+            self.assert_fits()
+            self.assertEqual(len(self.all(".progress")), 1)
+            self.assertIn("There is no simplex so far.", told[0])
+            self.assertIn("After iteration 5 the kept simplex is 0.917663 from the origin.", told[-1])
+            if size[0] > 900:
+                self.assertEqual(len(places), 1, places)
+
+        for size in [(1366, 768), (390, 844)]:
+            self.look(*size)
+            self.open(searched)
+            self.live()
+            assert_graphs_stay(size)
+        self.without_programs()
+        self.look(1366, 768)
+        self.open(searched)
+        assert_graphs_stay((1366, 768))
+        self.open("figure-1")
+        self.assertFalse(self.find(".progress").is_displayed())
+        self.open(apart)
+        self.assertIn("Left: ", self.find(".progress").text)
+
+    def test_while_a_question_is_asked_no_graph_answers_it(self):
+        self.open(searched)
+        self.live()
+        self.predict()
+        self.wait(lambda: self.press(Keys.ARROW_RIGHT) or self.all(".asking"))
+        self.assertEqual(self.js("return getComputedStyle(document.querySelector('.progress')).visibility"), "hidden")
+        self.predict()
+        self.assertEqual(self.js("return getComputedStyle(document.querySelector('.progress')).visibility"), "visible")
+
     def test_a_single_file_stands_alone(self):
         folder = self.folder / "single"
         render(folder, "figure-4-left", "--page=single")
