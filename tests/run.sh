@@ -86,7 +86,8 @@ full() {
   # Mesa and LLVM keep some memory until the process ends; those leaks are left out by name. Where threads keep what a library loaded
   # later is guessed from calls, wrongly for Mesa's: the search for leaks then reads what is not there.
   export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.supp:print_suppressions=0:intercept_tls_get_addr=0"
-  timed "running with sanitizers" test_in build/sanitized --label-exclude long
+  # But for what runs the same code many times.
+  timed "running with sanitizers" test_in build/sanitized --label-exclude long --exclude-regex "what takes long|console: others"
   unset LSAN_OPTIONS
 }
 

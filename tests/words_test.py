@@ -13,6 +13,7 @@ most = 25
 
 # What a long sentence begins with, and why it may be long.
 may_be_long = {
+    r"--from-trace --all": "a list of options",
     r"code \(its support function\)": "a list of files",
     r"\*\*(holds|fails)\*\*|\* None seen|Nothing was seen in": "a list of families of pairs",
     r"\* (gjkstep [a-z ]+ is at least|A peer is right)": "a list of families of pairs",

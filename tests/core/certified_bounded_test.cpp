@@ -7,7 +7,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
-namespace {
+namespace certified_bounded_test {
 
 using detail::Bounded;
 
@@ -120,5 +120,5 @@ TEST_CASE("A sign is certain beyond the error, and without one", "[bounded]") {
   REQUIRE_FALSE(Bounded{0, 5e-324}.has_certain_sign());
 }
 
-}  // namespace
+}  // namespace certified_bounded_test
 }  // namespace gjk::test

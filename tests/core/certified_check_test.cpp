@@ -7,7 +7,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
-namespace {
+namespace certified_check_test {
 
 using V = Vec3<double>;
 
@@ -188,5 +188,5 @@ TEST_CASE("Certificates of floats are multiplied out as those of doubles", "[cer
   REQUIRE_FALSE(holds(SeparatingDirection{V(0, 1, 0)}, a, touching));
 }
 
-}  // namespace
+}  // namespace certified_check_test
 }  // namespace gjk::test

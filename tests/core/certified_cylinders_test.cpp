@@ -10,6 +10,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
+namespace certified_cylinders_test {
 namespace {
 
 using V = Vec3<double>;
@@ -111,4 +112,5 @@ TEST_CASE("A motion moves center and axis of a cylinder, exactly", "[certified]"
   REQUIRE_THROWS_AS(AxialCylinder::of(V(0, 0, 0), V(1, 0, 0), -1, 2), std::invalid_argument);
 }
 
+}  // namespace certified_cylinders_test
 }  // namespace gjk::test

@@ -6,6 +6,7 @@
 #include "tests/core/oracle.hpp"
 
 namespace gjk::test {
+namespace certified_events_test {
 namespace {
 
 using V = Vec3<double>;
@@ -94,4 +95,5 @@ TEST_CASE("Each value lies as near to its fraction as its error says", "[certifi
   CHECK(in_doubt > 100);
 }
 
+}  // namespace certified_events_test
 }  // namespace gjk::test

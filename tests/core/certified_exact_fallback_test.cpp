@@ -8,7 +8,7 @@
 #include "tests/core/certified_support.hpp"
 
 namespace gjk::test {
-namespace {
+namespace certified_exact_fallback_test {
 
 using detail::Bounded;
 using V = Vec3<double>;
@@ -165,5 +165,5 @@ TEST_CASE("Of denormal numbers a scan loses 8 times the least at most, in each s
   REQUIRE(is_known_from_scan<double>({0}, {130 * least}));
 }
 
-}  // namespace
+}  // namespace certified_exact_fallback_test
 }  // namespace gjk::test

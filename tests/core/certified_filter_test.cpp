@@ -11,7 +11,7 @@
 #include "tests/core/certified_support.hpp"
 
 namespace gjk::test {
-namespace {
+namespace certified_filter_test {
 
 // -- C1 ---------------------------------------------------------------------------------------------------------------
 
@@ -282,5 +282,5 @@ TEST_CASE("Arithmetic that flushes denormal results to zero, or takes denormal o
 }
 #endif
 
-}  // namespace
+}  // namespace certified_filter_test
 }  // namespace gjk::test

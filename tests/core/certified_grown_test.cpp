@@ -17,6 +17,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
+namespace certified_grown_test {
 namespace {
 
 constexpr auto apart = Status::separated, together = Status::intersecting;
@@ -463,4 +464,5 @@ TEST_CASE("What is no grown set is refused", "[certified]") {
   REQUIRE_NOTHROW(Grown(std::vector<MovedPoints>(10, {unit_box})));
 }
 
+}  // namespace certified_grown_test
 }  // namespace gjk::test

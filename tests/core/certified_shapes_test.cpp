@@ -9,6 +9,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
+namespace certified_shapes_test {
 namespace {
 
 using V = Vec3<double>;
@@ -486,4 +487,5 @@ TEST_CASE("C9: where rounding leaves open whether they meet they are no deeper i
   REQUIRE(seen > 50);
 }
 
+}  // namespace certified_shapes_test
 }  // namespace gjk::test

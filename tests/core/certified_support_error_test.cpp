@@ -9,6 +9,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
+namespace certified_support_error_test {
 namespace {
 
 using Long = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type,
@@ -291,4 +292,5 @@ TEMPLATE_TEST_CASE(
   REQUIRE(error(least) < 32 * static_cast<double>(least));
 }
 
+}  // namespace certified_support_error_test
 }  // namespace gjk::test

@@ -10,7 +10,7 @@
 #include "tests/core/oracle.hpp"
 
 namespace gjk::test {
-namespace {
+namespace certified_test {
 
 /// What a change makes of both sets.
 template <class S, class Change>
@@ -356,5 +356,5 @@ TEMPLATE_TEST_CASE(
   }
 }
 
-}  // namespace
+}  // namespace certified_test
 }  // namespace gjk::test

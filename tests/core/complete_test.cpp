@@ -7,7 +7,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
-namespace {
+namespace complete_test {
 
 using Exactly = Complete<>;
 
@@ -79,5 +79,5 @@ TEST_CASE("A product that is not a number ends a search by the complete rules un
   REQUIRE(result.status == Status::undecided);
 }
 
-}  // namespace
+}  // namespace complete_test
 }  // namespace gjk::test

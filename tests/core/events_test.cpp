@@ -6,7 +6,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
-namespace {
+namespace events_test {
 
 using V = Vec3<double>;
 
@@ -103,5 +103,5 @@ TEST_CASE("An observer takes every kind of event, those of certified searches wh
   CHECK(of_certified == 0);
 }
 
-}  // namespace
+}  // namespace events_test
 }  // namespace gjk::test

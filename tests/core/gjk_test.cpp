@@ -9,7 +9,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
-namespace {
+namespace gjk_test {
 
 using V = Vec3<double>;
 
@@ -252,5 +252,5 @@ TEST_CASE("Simplices are the same where they have the same vertices and no more"
   REQUIRE_FALSE(Simplex<double>() == all);
 }
 
-}  // namespace
+}  // namespace gjk_test
 }  // namespace gjk::test

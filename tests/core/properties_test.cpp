@@ -9,7 +9,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
-namespace {
+namespace properties_test {
 
 struct ExactRun {
   PairOfHulls hulls;
@@ -170,5 +170,5 @@ TEST_CASE("P5. Of four vertices, A lies in the direction of BC×BD", "[propertie
   REQUIRE(flat < tetrahedra / 20);
 }
 
-}  // namespace
+}  // namespace properties_test
 }  // namespace gjk::test

@@ -4,7 +4,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
-namespace {
+namespace random_test {
 
 struct Tally {
   int hits = 0, misses = 0, undecided = 0;
@@ -142,5 +142,5 @@ TEMPLATE_TEST_CASE("A separation below its error bound is a proof, and rounding 
   REQUIRE(worst > Rational(1, 30));
 }
 
-}  // namespace
+}  // namespace random_test
 }  // namespace gjk::test

@@ -8,7 +8,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
-namespace {
+namespace rule_sets_test {
 
 TEST_CASE("Each set of rules has its place, with each zero test, and none is left out", "[rule-sets]") {
   std::set<std::type_index> types;
@@ -105,5 +105,5 @@ TEST_CASE("Tolerances are multiplied up from the factors of the formula, in the 
   REQUIRE(lengths(detail::triple(AB, AO)) == std::vector{o, b, b});
 }
 
-}  // namespace
+}  // namespace rule_sets_test
 }  // namespace gjk::test

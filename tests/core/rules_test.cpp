@@ -7,7 +7,7 @@
 #include "tests/core/rules_support.hpp"
 
 namespace gjk::test {
-namespace {
+namespace rules_test {
 
 // -- Algorithms 2 and 3: a vertex, a segment --------------------------------------------------------------------------
 
@@ -301,5 +301,5 @@ TEST_CASE("Algorithm 5 agrees with linear equations in every region, whatever or
 
 }  // namespace tetrahedron
 
-}  // namespace
+}  // namespace rules_test
 }  // namespace gjk::test

@@ -9,7 +9,7 @@
 #include "tests/kit/dice.hpp"
 
 namespace gjk::test {
-namespace {
+namespace shapes_test {
 
 using V = Vec3<double>;
 
@@ -310,5 +310,5 @@ TEST_CASE("No pose changes nothing, not even which of equally far points is the 
     REQUIRE(posed.support(d).index == points.support(d).index);
 }
 
-}  // namespace
+}  // namespace shapes_test
 }  // namespace gjk::test

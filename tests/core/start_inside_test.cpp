@@ -8,7 +8,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
-namespace {
+namespace start_inside_test {
 
 /// Returns: the mean, exactly.
 ExactVec mean(const Points& points) {
@@ -152,5 +152,5 @@ TEST_CASE("Inside: where means are known no better than the sets are deep in eac
   REQUIRE(proven(pair).proof == Proof::tetrahedron);
 }
 
-}  // namespace
+}  // namespace start_inside_test
 }  // namespace gjk::test

@@ -10,7 +10,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
-namespace {
+namespace zero_test_test {
 
 using Relative = Intended<RelativeZeroTest>;
 using V3 = Vec3<double>;
@@ -217,5 +217,5 @@ TEST_CASE("w·d is compared with the lengths of both points of the vertex and of
   REQUIRE(LoggingZeroTest::log == std::vector{std::multiset<double>{7 + 56, 448}});
 }
 
-}  // namespace
+}  // namespace zero_test_test
 }  // namespace gjk::test

@@ -8,6 +8,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/render/png_bytes.hpp"
 
+namespace apng_test {
+
 using namespace render;
 using namespace render::test;
 
@@ -108,3 +110,5 @@ TEST_CASE("a picture of another size is refused") {
   REQUIRE_THROWS_AS(encode_apng(2, higher, seconds, {}), std::invalid_argument);
   REQUIRE_NOTHROW(encode_apng(1, higher, seconds, {}));
 }
+
+}  // namespace apng_test

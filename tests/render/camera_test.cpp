@@ -8,6 +8,8 @@
 
 #include "tests/kit/catch.hpp"
 
+namespace camera_test {
+
 using namespace render;
 
 namespace {
@@ -170,3 +172,5 @@ TEST_CASE("a ball of 20,000 faces has each of its edges once") {
   // Down from each pole and along each ring between the poles.
   REQUIRE(edges_of(globe(rings), Camera(30, 20)).size() == 2 * rings * (rings + rings - 1));
 }
+
+}  // namespace camera_test

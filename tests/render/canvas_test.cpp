@@ -5,6 +5,8 @@
 
 #include "tests/kit/catch.hpp"
 
+namespace canvas_test {
+
 using namespace render;
 
 namespace {
@@ -77,3 +79,5 @@ TEST_CASE_METHOD(Page, "text boxes: alignment, and letters inside the box of the
   REQUIRE(ink.max.y() > 53);  // the g reaches below the baseline
   REQUIRE(canvas.ink_box({100, 50}, " ", style).width() == 0);
 }
+
+}  // namespace canvas_test

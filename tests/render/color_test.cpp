@@ -5,6 +5,8 @@
 
 #include "tests/kit/catch.hpp"
 
+namespace color_test {
+
 using namespace render;
 
 namespace {
@@ -37,3 +39,5 @@ TEST_CASE("what is written and drawn can be seen on the paper of every theme") {
   for (const Color color : {themes::dark.orange, themes::dark.sky})  // which need no outline there
     CHECK(contrast(color, themes::dark.paper) >= large_text_and_lines);
 }
+
+}  // namespace color_test

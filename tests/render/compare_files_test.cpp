@@ -8,6 +8,8 @@
 #include "tests/kit/pictures.hpp"
 #include "tests/kit/text.hpp"
 
+namespace compare_files_test {
+
 using namespace render;
 using kit::has, kit::write;
 namespace fs = std::filesystem;
@@ -190,3 +192,5 @@ TEST_CASE("A picture that only one side has is read all the same and may be unre
   draw(folders.actual / "b.png", {1, 2, 3});
   CHECK(verdicts(folders) == std::vector{Verdict::unreadable, Verdict::extra});
 }
+
+}  // namespace compare_files_test

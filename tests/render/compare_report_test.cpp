@@ -4,6 +4,8 @@
 #include "tests/kit/pictures.hpp"
 #include "tests/kit/text.hpp"
 
+namespace compare_report_test {
+
 using namespace render;
 using kit::has;
 
@@ -147,3 +149,5 @@ TEST_CASE("A missing or extra picture is shown beside an empty place and an unre
   CHECK(has(html, "cannot read a/u.png"));
   CHECK(count(html, "class=\"accept\"") == 1);
 }
+
+}  // namespace compare_report_test

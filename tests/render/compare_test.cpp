@@ -6,6 +6,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/pictures.hpp"
 
+namespace compare_test {
+
 using namespace render;
 
 namespace {
@@ -166,3 +168,5 @@ TEST_CASE("The picture of the difference is sixteen times as large on black and 
   CHECK(image.pixel(1, 0) == Color{32, 48, 0});
   CHECK(image.pixel(2, 0) == Color{0, 0, 255});
 }
+
+}  // namespace compare_test

@@ -8,6 +8,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/dice.hpp"
 
+namespace coverage_test {
+
 using namespace render;
 
 namespace {
@@ -118,3 +120,5 @@ TEST_CASE("a polygon with more corners than pixels is covered as it is, by few c
   REQUIRE(integral(disc) == Approx(area_of(disc)).epsilon(2e-3));
   REQUIRE(coverage_cells(disc, bounds).size() < 200);
 }
+
+}  // namespace coverage_test

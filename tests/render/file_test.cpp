@@ -18,6 +18,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/folder.hpp"
 
+namespace file_test {
+
 using namespace render;
 using kit::Folder;
 namespace fs = std::filesystem;
@@ -306,3 +308,5 @@ TEST_CASE("A device is not replaced by a file") {
   REQUIRE_THROWS_AS(write_file(folder / "device", bytes), FileError);
   CHECK(fs::is_symlink(folder / "device"));  // which is all that would be lost
 }
+
+}  // namespace file_test

@@ -13,6 +13,8 @@
 #include "render/utf8.hpp"
 #include "tests/kit/catch.hpp"
 
+namespace font_measures_test {
+
 using namespace render;
 
 namespace {
@@ -141,3 +143,5 @@ TEST_CASE("pairs of letters are as near to each other as FreeType says") {
   }
   CHECK(pairs > 300);
 }
+
+}  // namespace font_measures_test

@@ -19,6 +19,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/folder.hpp"
 
+namespace font_test {
+
 using namespace render;
 
 namespace {
@@ -184,3 +186,5 @@ TEST_CASE_METHOD(Fixture, "letters that the font lacks are remembered, each once
   set("漢字漢");
   REQUIRE(font.missing() == std::set<char32_t>{0x5B57, 0x6F22});
 }
+
+}  // namespace font_test

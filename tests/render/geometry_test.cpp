@@ -7,6 +7,8 @@
 
 #include "tests/kit/catch.hpp"
 
+namespace geometry_test {
+
 using namespace render;
 
 namespace {
@@ -43,3 +45,5 @@ TEST_CASE("a circle of very many corners keeps as few as the tolerance needs") {
   REQUIRE(kept >= fewest - 1);
   REQUIRE(kept <= 2 * fewest);
 }
+
+}  // namespace geometry_test

@@ -4,6 +4,8 @@
 
 #include "tests/kit/catch.hpp"
 
+namespace html_test {
+
 using namespace render;
 
 TEST_CASE("Escaped text holds nothing that ends an element or an attribute, and else stays as it is") {
@@ -22,3 +24,5 @@ TEST_CASE("A data URL holds the bytes in base64, filled up to four digits") {
   CHECK(url({'M', 'a', 'n'}) == "TWFu");
   CHECK(url({0xFB, 0xFF, 0xFE}) == "+//+");
 }
+
+}  // namespace html_test

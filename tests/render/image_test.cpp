@@ -11,6 +11,8 @@
 #include "tests/kit/text.hpp"
 #include "tests/render/png_bytes.hpp"
 
+namespace image_test {
+
 using namespace render;
 using namespace render::test;
 using kit::bytes_of, kit::Folder;
@@ -303,3 +305,5 @@ TEST_CASE("Samples are read as they are stored, whatever gamma a file tells, and
   CHECK(read.image.pixel(0, 0) == Color{100, 100, 100});
   CHECK(read.colours.at("gAMA") == big_endian(100000));
 }
+
+}  // namespace image_test

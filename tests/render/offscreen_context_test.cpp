@@ -12,6 +12,8 @@
 #include "render/rasterizer.hpp"
 #include "tests/kit/catch.hpp"
 
+namespace offscreen_context_test {
+
 using namespace render;
 
 namespace {
@@ -114,3 +116,5 @@ TEST_CASE("a backend that this build lacks is refused with its package, and leav
     REQUIRE_NOTHROW(OffscreenContext());
   }
 }
+
+}  // namespace offscreen_context_test

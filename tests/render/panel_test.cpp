@@ -9,6 +9,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/pictures.hpp"
 
+namespace panel_test {
+
 using namespace render;
 using kit::vertices_of;
 
@@ -213,3 +215,5 @@ TEST_CASE("nothing is hatched where there is no area, no distance, or no number"
   for (const double spacing : {0.0, -4.0, 2.9, nan}) REQUIRE(hatched(square, spacing).empty());
   REQUIRE(hatched(std::array{Vec2(0, 0), Vec2(nan, 0), Vec2(0, 5)}, 20).empty());
 }
+
+}  // namespace panel_test

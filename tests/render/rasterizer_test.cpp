@@ -9,6 +9,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/pictures.hpp"
 
+namespace rasterizer_test {
+
 using namespace render;
 using kit::darkness;
 
@@ -125,3 +127,5 @@ TEST_CASE_METHOD(Studio, "what OpenGL finds wrong while it draws is told once, a
   }
   CHECK_NOTHROW(draw());
 }
+
+}  // namespace rasterizer_test

@@ -4,6 +4,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/folder.hpp"
 
+namespace rendered_by_test {
+
 using namespace render;
 TEST_CASE("the font is told by its size and its checksum") {
   const kit::Folder folder;
@@ -43,3 +45,5 @@ TEST_CASE("notes stand side by side, those that only one side has included") {
   CHECK(lines[0].differs());
   CHECK_FALSE(lines[1].differs());
 }
+
+}  // namespace rendered_by_test

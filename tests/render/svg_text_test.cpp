@@ -3,6 +3,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/text.hpp"
 
+namespace svg_text_test {
+
 using namespace render;
 
 namespace {
@@ -57,3 +59,5 @@ TEST_CASE("What is clipped lies in an element of its own, which ends with the pi
   };
   CHECK(count("<svg ") == count("</svg>"));
 }
+
+}  // namespace svg_text_test

@@ -8,6 +8,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/pictures.hpp"
 
+namespace triangles_test {
+
 using namespace render;
 using kit::vertices_of;
 using Kind = CanvasVertex::Kind;
@@ -173,3 +175,5 @@ TEST_CASE("letters stand on whole pixels, the nearest to the place that was aske
     REQUIRE(first_corner(40, 50 + off) == there + Vec2(0, std::copysign(1, off)));
   }
 }
+
+}  // namespace triangles_test

@@ -4,6 +4,8 @@
 
 #include "tests/kit/catch.hpp"
 
+namespace utf8_test {
+
 using namespace render;
 
 namespace {
@@ -52,3 +54,5 @@ TEST_CASE("letters are taken off the front one by one") {
   CHECK(next_code_point(text) == U'ü');
   CHECK(text.empty());
 }
+
+}  // namespace utf8_test

@@ -12,6 +12,8 @@
 #include "tests/kit/pictures.hpp"
 #include "tests/kit/program.hpp"
 
+namespace vector_test {
+
 using namespace render;
 
 namespace {
@@ -147,3 +149,5 @@ TEST_CASE_METHOD(Page, "what lies far outside of an SVG picture is cut off, so t
   CHECK(farthest > 240);
   CHECK(farthest < 2000);
 }
+
+}  // namespace vector_test

@@ -4,7 +4,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace study {
-namespace {
+namespace claims_test {
 
 TEST_CASE("Float and double are given the same triangles", "[claims]") {
   for (const TriangleKind& kind : triangle_kinds())
@@ -34,5 +34,5 @@ TEST_CASE("Of small triangles far apart for their size Moeller's test, snapped, 
   }
 }
 
-}  // namespace
+}  // namespace claims_test
 }  // namespace study

@@ -39,7 +39,7 @@ struct Eigen::NumTraits<study::Counted> : Eigen::NumTraits<double> {
 };
 
 namespace study {
-namespace {
+namespace effort_test {
 
 gjk::PointSet<Counted> set_of(const Body& body) {
   std::vector<gjk::Vec3<Counted>> points;
@@ -87,5 +87,5 @@ TEST_CASE("Cross products are counted right: six multiplications each and all ot
   }
 }
 
-}  // namespace
+}  // namespace effort_test
 }  // namespace study

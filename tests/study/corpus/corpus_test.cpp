@@ -17,7 +17,7 @@
 #include "tests/walkthroughs/support.hpp"
 
 namespace study {
-namespace {
+namespace corpus_test {
 
 using Json = nlohmann::json;
 
@@ -171,5 +171,5 @@ TEST_CASE("Corpus: a pair has its line, its answer and its notes by hand", "[cor
         R"({"a":{"points":[[0.1,0,1e+100]]},"b":{"points":[[1,0,0]]}})");
 }
 
-}  // namespace
+}  // namespace corpus_test
 }  // namespace study

@@ -7,7 +7,7 @@
 #include "tests/study/truth/oracle.hpp"
 
 namespace study::test {
-namespace {
+namespace methods_certified_test {
 
 std::vector<const Method*> certified_ones() {
   std::vector<const Method*> some;
@@ -79,5 +79,5 @@ TEST_CASE("Certificates of the first pairs are multiplied out, and answers that 
   CHECK(counts_at(rows[1].tally, no_limit).false_positives > 10);
 }
 
-}  // namespace
+}  // namespace methods_certified_test
 }  // namespace study::test

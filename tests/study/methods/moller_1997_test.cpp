@@ -10,7 +10,7 @@
 #include "tests/study/truth/exact_number.hpp"
 
 namespace study::moller_1997 {
-namespace {
+namespace moller_1997_test {
 
 using Exact = study::Exact;
 
@@ -100,5 +100,5 @@ TEST_CASE("Moeller 1997: in float a product of whole numbers is rounded and a co
   REQUIRE(truth({a, b}) == Truth::intersecting);
 }
 
-}  // namespace
+}  // namespace moller_1997_test
 }  // namespace study::moller_1997

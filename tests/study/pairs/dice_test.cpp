@@ -5,7 +5,7 @@
 #include "tests/study/pairs/pairs.hpp"
 
 namespace study {
-namespace {
+namespace dice_test {
 
 TEST_CASE("Dice: the published values of FNV-1a", "[dice]") {
   REQUIRE(hash("") == 0xcbf29ce484222325);
@@ -70,5 +70,5 @@ TEST_CASE("Dice: a shuffled list has the same members, in each order alike", "[d
   for (const int count : where_0_went) REQUIRE(std::abs(count - 10000) < 500);
 }
 
-}  // namespace
+}  // namespace dice_test
 }  // namespace study

@@ -7,7 +7,7 @@
 #include "tests/study/truth/oracle.hpp"
 
 namespace study {
-namespace {
+namespace families_round_test {
 
 constexpr Truth separated = Truth::separated, intersecting = Truth::intersecting;
 constexpr double ulp = 0x1p-52;  // of numbers from 1 to 2
@@ -145,5 +145,5 @@ TEST_CASE("Families: balls with a gap have that gap", "[families]") {
   }
 }
 
-}  // namespace
+}  // namespace families_round_test
 }  // namespace study

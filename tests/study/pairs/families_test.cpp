@@ -14,7 +14,7 @@
 #include "tests/study/truth/oracle.hpp"
 
 namespace study {
-namespace {
+namespace families_test {
 
 constexpr std::uint64_t seed = 1;
 
@@ -448,5 +448,5 @@ TEST_CASE("Families: duplicates repeat a point in nearly every list, and some li
   REQUIRE(single > 10);
 }
 
-}  // namespace
+}  // namespace families_test
 }  // namespace study

@@ -4,7 +4,7 @@
 #include "tests/study/program/run_study.hpp"
 
 namespace study::test {
-namespace {
+namespace program_test {
 
 const std::string small = "--pairs 40 --families triangles,cycles --scalar float,double ";
 
@@ -97,5 +97,5 @@ TEST_CASE("study: families and settings are listed", "[program]") {
     CHECK(has(outcome.out, part));
 }
 
-}  // namespace
+}  // namespace program_test
 }  // namespace study::test

@@ -3,7 +3,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace study::test {
-namespace {
+namespace plan_test {
 
 TEST_CASE("A shard is written I/N and counted from 0", "[plan]") {
   CHECK(parse_shard("2/8") == Shard{2, 8});
@@ -39,5 +39,5 @@ TEST_CASE("Names that nobody knows are refused with the one that was probably me
   CHECK(complaint({}).empty());
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace study::test

@@ -5,7 +5,7 @@
 #include "tests/study/support.hpp"
 
 namespace study::test {
-namespace {
+namespace results_test {
 
 Plan plan_at(std::vector<int> limits) {
   Plan plan = plan_for({&family_named("grid-segments")}, {}, 10, 2);
@@ -59,5 +59,5 @@ TEST_CASE("What is proven and yet wrong, none or without its proof is a contradi
     CHECK_THAT(said("certified", "double", [=](Tally& tally) { ++(tally.*counter); }), kit::contains(", 1 were wrong"));
 }
 
-}  // namespace
+}  // namespace results_test
 }  // namespace study::test

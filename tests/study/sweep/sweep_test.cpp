@@ -10,7 +10,7 @@
 #include "tests/study/support.hpp"
 
 namespace study::test {
-namespace {
+namespace sweep_test {
 
 Family listed(std::string name, std::vector<Pair> pairs) {
   const std::uint64_t size = pairs.size();
@@ -118,5 +118,5 @@ TEST_CASE("Counts do not depend on the number of threads", "[sweep]") {
   }
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace study::test

@@ -4,7 +4,7 @@
 #include "tests/study/support.hpp"
 
 namespace study::test {
-namespace {
+namespace tally_test {
 
 TEST_CASE("What a smaller limit answers follows from the answers at the largest", "[tally]") {
   const std::vector<const Family*> families{&family_named("triangles"), &family_named("flat-1e-9-turned"),
@@ -34,5 +34,5 @@ TEST_CASE("The slowest pair of two is that of the larger time", "[tally]") {
   }
 }
 
-}  // namespace
+}  // namespace tally_test
 }  // namespace study::test

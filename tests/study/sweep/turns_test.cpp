@@ -4,7 +4,7 @@
 #include "tests/study/support.hpp"
 
 namespace study::test {
-namespace {
+namespace turns_test {
 
 using std::chrono::nanoseconds;
 
@@ -48,5 +48,5 @@ TEST_CASE("Of the turns of a method the median counts", "[turns]") {
   CHECK(times.at(0).at(20).nanoseconds == 500);
 }
 
-}  // namespace
+}  // namespace turns_test
 }  // namespace study::test

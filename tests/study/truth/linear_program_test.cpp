@@ -6,7 +6,7 @@
 #include "tests/study/pairs/hulls.hpp"
 
 namespace study {
-namespace {
+namespace linear_program_test {
 
 const Points triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 const Points pierces_triangle{{1, 1, -1}, {1, 1, 1}};  // at (1,1,0): 1/2, 1/4, 1/4 of its corners
@@ -111,5 +111,5 @@ TEST_CASE("Linear program: no points, and coordinates that are not finite, are r
   REQUIRE_THROWS_AS(truth_by_linear_program({{0, 0, infinite}}, triangle), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace linear_program_test
 }  // namespace study

@@ -6,7 +6,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace study {
-namespace {
+namespace nearest_feature_test {
 
 gjk::Simplex<double> simplex_of(const std::vector<gjk::Vec3<double>>& oldest_first) {
   gjk::Simplex<double> simplex;
@@ -89,5 +89,5 @@ TEST_CASE("The origin lies on a feature or beyond it and rounding does not blur 
   REQUIRE(on({{0, 0, 2}, {1, 0, -1}, {-1, 1, -1}, {-1, -1, -1}}) == "ABCD on");
 }
 
-}  // namespace
+}  // namespace nearest_feature_test
 }  // namespace study

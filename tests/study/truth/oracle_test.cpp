@@ -13,7 +13,7 @@
 #include "walkthroughs/pairs/graded.hpp"
 
 namespace study {
-namespace {
+namespace oracle_test {
 
 constexpr Truth separated = Truth::separated, intersecting = Truth::intersecting;
 constexpr double ulp = 0x1p-52;  // of numbers from 1 to 2
@@ -305,5 +305,5 @@ TEST_CASE("Oracle: boxes square to the axes meet exactly where all their interva
   REQUIRE((hits > 100 && hits < 400));
 }
 
-}  // namespace
+}  // namespace oracle_test
 }  // namespace study

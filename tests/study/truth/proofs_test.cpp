@@ -6,7 +6,7 @@
 #include "tests/study/truth/oracle.hpp"
 
 namespace study {
-namespace {
+namespace proofs_test {
 
 const Points square_base{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}};
 
@@ -79,5 +79,5 @@ TEST_CASE("Proofs: balls and cylinders have a direction or a point that proves w
   REQUIRE(together > 500);
 }
 
-}  // namespace
+}  // namespace proofs_test
 }  // namespace study

@@ -3,6 +3,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace catalogue_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -62,3 +64,5 @@ TEST_CASE("A walkthrough has one scene, or two to compare, of different names an
     if (scenes == 2) CHECK(w.scenes[0].name != w.scenes[1].name);
   }
 }
+
+}  // namespace catalogue_test

@@ -6,6 +6,8 @@
 #include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/number_line.hpp"
 
+namespace certified_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Proof;
@@ -64,3 +66,5 @@ TEST_CASE("Fractions are written out where they are short") {
   CHECK(NumberLine::Number{"exactly", short_fraction("-3/4")}.equation() == "exactly = −3/4");
   CHECK(NumberLine::Number{"exactly", short_fraction("1" + std::string(40, '0'))}.equation() == "exactly ≈ 1e40");
 }
+
+}  // namespace certified_test

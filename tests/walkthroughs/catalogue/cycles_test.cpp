@@ -5,6 +5,8 @@
 #include "tests/kit/text.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 
+namespace cycles_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Status;
@@ -76,3 +78,5 @@ TEST_CASE("The last frame tells how often a search goes round, as the study has 
     }));
   }
 }
+
+}  // namespace cycles_test

@@ -8,6 +8,8 @@
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
+namespace diagrams_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -67,3 +69,5 @@ TEST_CASE("An outline is found whatever corner the first question finds") {
     CHECK(outline_by_support(gjk::PointSet<double>(corners), 360).size() == 4);
   }
 }
+
+}  // namespace diagrams_test

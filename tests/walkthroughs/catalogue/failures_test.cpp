@@ -11,6 +11,8 @@
 #include "walkthroughs/trace/trace_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
+namespace failures_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Status;
@@ -174,3 +176,5 @@ TEST_CASE("A trace says its scalar and zero test, where they are not the usual o
   const std::string in_float = trace_text(walkthrough("failures/coplanar-askew"));
   CHECK_THROWS_AS(parse_trace(changed(in_float, scalar, R"("scalar":"double")"), "trace.jsonl"), InputError);
 }
+
+}  // namespace failures_test

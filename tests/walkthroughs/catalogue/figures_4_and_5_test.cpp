@@ -3,8 +3,11 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace figures_4_and_5_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
+using walkthroughs::test::Told;
 
 namespace {
 
@@ -57,3 +60,5 @@ TEST_CASE("The searches of Figure 4 find the points that the report names, keep 
   says("figure-4-right", "A:A E", gjk::Reason::origin_not_crossed);
   says("figure-4-right-no-crossing-test", "A:A E:AE F:EF E", gjk::Reason::no_new_vertex);
 }
+
+}  // namespace figures_4_and_5_test

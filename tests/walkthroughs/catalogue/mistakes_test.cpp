@@ -14,6 +14,8 @@
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 
+namespace mistakes_test {
+
 using namespace walkthroughs;
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
@@ -177,3 +179,5 @@ TEST_CASE("How many pairs it takes to notice a mistake is what the study has cou
   }
   CHECK(rows == 3 * wrong_on_purpose::all().size());
 }
+
+}  // namespace mistakes_test

@@ -9,6 +9,8 @@
 #include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
+namespace region_grid_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using render::Vec2;
@@ -73,3 +75,5 @@ TEST_CASE("The answers are painted from border to border, also where larger text
       if (name != "figure-8") CHECK(box.min.x() <= 40);
     }
 }
+
+}  // namespace region_grid_test

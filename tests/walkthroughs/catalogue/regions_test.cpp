@@ -9,6 +9,8 @@
 #include "tests/walkthroughs/catalogue/nearest_feature.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace regions_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Relation;
@@ -182,3 +184,5 @@ TEST_CASE("Every walkthrough of a region visits the region that its name claims"
     CHECK(signs_in_face(run, n) == claims[i].in_face);
   }
 }
+
+}  // namespace regions_test

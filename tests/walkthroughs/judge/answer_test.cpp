@@ -3,7 +3,7 @@
 #include "tests/kit/catch.hpp"
 
 namespace walkthroughs::judge {
-namespace {
+namespace answer_test {
 
 const Pair apart{Points{{0, 0, 0}, {1, 0, 0}}, Points{{2, 0, 0}, {2, 1, 0}}};
 const Pair meeting{Points{{0, 0, 0}, {2, 0, 0}}, Points{{1, 0, 0}, {5, 5, 0}}};
@@ -89,5 +89,5 @@ TEST_CASE("Answers: of round bodies nothing is looked at") {
   CHECK(evidence(R"({"status":true,"simplex":[[0,0]]})", balls) == Evidence::none);
 }
 
-}  // namespace
+}  // namespace answer_test
 }  // namespace walkthroughs::judge

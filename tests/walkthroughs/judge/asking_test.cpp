@@ -12,7 +12,7 @@
 #include "tests/walkthroughs/support.hpp"
 
 namespace walkthroughs::judge {
-namespace {
+namespace asking_test {
 
 using test::Folder;
 
@@ -230,5 +230,5 @@ TEST_CASE("Asking: a program that is not there cannot be started") {
   }
 }
 
-}  // namespace
+}  // namespace asking_test
 }  // namespace walkthroughs::judge

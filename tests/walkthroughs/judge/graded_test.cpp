@@ -7,7 +7,7 @@
 #include "walkthroughs/judge/how_far.hpp"
 
 namespace walkthroughs::judge {
-namespace {
+namespace graded_test {
 
 TEST_CASE("Graded: gaps and depths of every power of ten, as far as doubles tell") {
   for (const Family& family : graded_families()) {
@@ -32,5 +32,5 @@ TEST_CASE("Graded: the nearest point is where one would look for it") {
   CHECK(nearest_point({{{0, 0, 0}}, {{0, 0, 0}}}) == Vec(0, 0, 0));
 }
 
-}  // namespace
+}  // namespace graded_test
 }  // namespace walkthroughs::judge

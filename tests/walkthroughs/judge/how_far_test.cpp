@@ -7,7 +7,7 @@
 #include "walkthroughs/pairs/families.hpp"
 
 namespace walkthroughs::judge {
-namespace {
+namespace how_far_test {
 
 Case case_of(Points a, Points b) {
   Case made{"pair", "pairs", {std::move(a), std::move(b)}, {}};
@@ -143,5 +143,5 @@ TEST_CASE("Inside: all of one lies in the interior of the other, by one unit in 
   CHECK_FALSE(one_is_inside({many, {many.back(), Vec(1, 2, 2)}}, false));
 }
 
-}  // namespace
+}  // namespace how_far_test
 }  // namespace walkthroughs::judge

@@ -11,7 +11,7 @@
 #include "walkthroughs/pairs/families.hpp"
 
 namespace walkthroughs::judge {
-namespace {
+namespace judge_test {
 
 AskedProgram program(std::vector<std::string> words) {
   return {.words = std::move(words), .limit = std::chrono::seconds(60), .is_answer = is_meant_as_answer};
@@ -301,5 +301,5 @@ TEST_CASE("Judge: where nothing agrees no cause is named") {
   CHECK(first_screen({"./mine", "", found, {}}).find("none found") != std::string::npos);
 }
 
-}  // namespace
+}  // namespace judge_test
 }  // namespace walkthroughs::judge

@@ -8,7 +8,7 @@
 #include "walkthroughs/steps/mistakes.hpp"
 
 namespace walkthroughs::judge {
-namespace {
+namespace told_steps_test {
 
 AskedProgram telling(const std::string& fault) {
   return {.words = {"env", "FAULT=" + fault, JUDGED_PLANTED},
@@ -73,5 +73,5 @@ TEST_CASE("Told steps: each mistake is among those that make the first wrong ste
   }
 }
 
-}  // namespace
+}  // namespace told_steps_test
 }  // namespace walkthroughs::judge

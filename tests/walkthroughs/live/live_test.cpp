@@ -8,6 +8,8 @@
 #include "walkthroughs/text/scene_text.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
+namespace live_test {
+
 using namespace walkthroughs::live;
 using Json = nlohmann::ordered_json;
 
@@ -166,3 +168,49 @@ TEST_CASE("A trace that is dropped is told, and one that contradicts itself is n
   trace.replace(trace.find("not-crossed"), 11, "crossed");
   CHECK(ask.tell({{"trace", trace}}).contains("error"));
 }
+
+TEST_CASE("Each choice of a question about regions, vertices and directions can be pointed at, apart from the others") {
+  Page ask;
+  int pressed = 0, drawn = 0;
+  for (const Walkthrough& w : whole_catalogue()) {
+    if (w.layout != Layout::search || w.scenes[0].certified) continue;
+    INFO(w.name);
+    const Json questions = ask.tell({{"name", w.name}})["story"]["questions"];
+    for (std::size_t k = 0; k < questions.size(); ++k) {
+      const Json& question = questions[k];
+      const Json picture = ask.draw({{"frame", question["before"].get<int>() - 1}, {"asks", k}});
+      const Json& aims = picture["aims"];
+      const std::size_t count = question["choices"].size();
+      const bool is_of_two = question["kind"] == "crossing" || count == 2;
+      if (aims.empty() && is_of_two) continue;
+      INFO(question.dump());
+      REQUIRE(aims.size() == count);
+      for (std::size_t i = 0; i < count; ++i) {
+        CHECK(aims[i]["choice"] == i);
+        const Json& at = aims[i].contains("at") ? aims[i]["at"] : aims[i]["from"];
+        CHECK((at[0] > 0 && at[0] < picture["width"] && at[1] > 0 && at[1] < picture["height"]));
+        for (std::size_t j = 0; j < i && aims[i].contains("at"); ++j)
+          CHECK(std::hypot(at[0].get<double>() - aims[j]["at"][0].get<double>(),
+                           at[1].get<double>() - aims[j]["at"][1].get<double>()) > 25);
+      }
+      (aims[0].contains("at") ? pressed : drawn) += 1;
+    }
+  }
+  CHECK(pressed > 100);
+  CHECK(drawn > 50);
+}
+
+TEST_CASE("The direction that comes next leads from the newest vertex to the origin, where it is the only one") {
+  Page ask;
+  const Json told = ask.tell({{"name", "regions/0-simplex-elsewhere"}, {"screen", 3}});
+  CHECK(told["is_done"] == false);
+  const Json picture = ask.draw({{"frame", told["frame"]}, {"asks", "direction"}});
+  REQUIRE(picture["aims"].size() == 1);
+  const Json &from = picture["aims"][0]["from"], &by = picture["aims"][0]["by"];
+  // AO = (-1, -2): to the left, and on a page downwards.
+  CHECK(by[0].get<double>() < 0);
+  CHECK(by[1].get<double>() / by[0].get<double>() == Approx(-2));
+  CHECK(from[0].get<double>() > 0);
+}
+
+}  // namespace live_test

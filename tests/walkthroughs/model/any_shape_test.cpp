@@ -7,6 +7,8 @@
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace any_shape_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -147,3 +149,5 @@ TEST_CASE("A shape whose points need square roots cannot be asked in fractions, 
   CHECK_THROWS_AS(ask(can()), CannotBeAsked);
   CHECK_THROWS_AS(ask(Sum{{Points{{1, 2, 3}}, Ball{{0, 0, 0}, 1}}}), CannotBeAsked);
 }
+
+}  // namespace any_shape_test

@@ -2,6 +2,8 @@
 
 #include "tests/kit/catch.hpp"
 
+namespace event_fields_test {
+
 using namespace walkthroughs::program;
 
 namespace {
@@ -49,3 +51,5 @@ TEST_CASE("The lists of fields have every member of their structs") {
   STATIC_REQUIRE(lists_every_member<CloseUp>(FieldsOf<CloseUp>::list));
   STATIC_REQUIRE(!lists_every_member<Grown>(std::tuple(Field("listed", &Grown::listed))));
 }
+
+}  // namespace event_fields_test

@@ -9,6 +9,8 @@
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/truth_about.hpp"
 
+namespace exact_shape_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Status;
@@ -126,3 +128,5 @@ TEST_CASE("Thin cylinders side by side are undecided only where rounding leaves 
   const gjk::ShapesResult said = bounded_answer(a, b);
   if (said.status == Status::undecided) CHECK(said.gap <= 0x1p-53 * size_of(b));
 }
+
+}  // namespace exact_shape_test

@@ -4,6 +4,8 @@
 
 #include "tests/kit/catch.hpp"
 
+namespace farthest_face_test {
+
 using namespace walkthroughs::program;
 using render::Vec2;
 
@@ -79,3 +81,5 @@ TEST_CASE("The distance to a hull is 0 within and that to the nearest edge or co
   CHECK(distance({1, 3}, {{0, 0}, {2, 0}}) == 3);
   CHECK(distance({6, 3}, {{0, 0}, {2, 0}}) == 5);
 }
+
+}  // namespace farthest_face_test

@@ -7,6 +7,8 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
+namespace labelled_hull_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -77,3 +79,5 @@ TEST_CASE("More corners than letters have names of their own") {
   std::ranges::sort(names);
   CHECK(std::ranges::adjacent_find(names) == names.end());
 }
+
+}  // namespace labelled_hull_test

@@ -8,8 +8,11 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
+namespace moment_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
+using walkthroughs::test::Told;
 
 namespace {
 
@@ -62,3 +65,5 @@ TEST_CASE("After each event the moment is as the events state it outright, and o
     CHECK(simplex == points_of(told.result().simplex));
   }
 }
+
+}  // namespace moment_test

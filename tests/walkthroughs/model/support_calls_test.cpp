@@ -5,6 +5,8 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
+namespace support_calls_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -68,3 +70,5 @@ TEST_CASE("Telling and drawing ask support functions for an outline of the diffe
     for (std::size_t i : {0u, 1u}) CHECK((calls_of(with).at(i) > of_search.at(i)) == is_round);
   }
 }
+
+}  // namespace support_calls_test

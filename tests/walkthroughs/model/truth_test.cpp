@@ -7,6 +7,8 @@
 #include "tests/walkthroughs/truth_about.hpp"
 #include "walkthroughs/model/moment.hpp"
 
+namespace truth_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Status;
@@ -177,3 +179,5 @@ TEST_CASE("The truth about the catalogue's sets of points is that of linear equa
       CHECK(truth(scene).answer.status == truth_about(a_as_read(scene), b_as_read(scene)));
     }
 }
+
+}  // namespace truth_test

@@ -2,6 +2,8 @@
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/page/page.hpp"
 
+namespace index_entry_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -127,3 +129,5 @@ TEST_CASE("Titles of others are text in the pages over all") {
     CHECK(page.find("\\u003c/script>\\u003cimg src=x") != std::string::npos);
   }
 }
+
+}  // namespace index_entry_test

@@ -1,16 +1,20 @@
 #include "walkthroughs/page/page.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "render/html.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/story/progress.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
+
+namespace page_test {
 
 using namespace walkthroughs;
 using namespace walkthroughs::program;
@@ -90,6 +94,36 @@ TEST_CASE("A page has each event as the trace has it, and each step its range of
   }
 }
 
+TEST_CASE("Each step of a search tells how near the iterations known by then have come, in words and with a graph") {
+  render::Font font(render::Font::default_directory());
+  PagePictures drawn = pictures;
+  drawn.font = &font;
+  for (const char* name : {"figure-4-left", "figure-4", "certified/touching"}) {
+    INFO(name);
+    const Story story = tell(walkthrough(name));
+    const PageJson data = page_data(story, drawn, {}), words_alone = data_of(story);
+    std::set<std::size_t> graphs;
+    for (std::size_t i = 0; i < story.frames.size(); ++i) {
+      const auto place = data["frames"][i]["progress"].get<std::vector<std::size_t>>();
+      const std::string told = data["texts"].at(place.at(0));
+      for (std::size_t s = 0; s < story.tellings.size(); ++s) {
+        const std::vector<Progress> progress = progress_of(story.tellings[s]);
+        const std::size_t known = known_at(progress, story.frames[i].events[s].last);
+        CHECK_THAT(told, kit::contains(progress_told(progress, known, story.tellings[s].scene.dimension)));
+      }
+      CHECK(place.at(1) > 0);
+      const std::string graph = data["graphs"][0].get<std::string>() + data["graphs"].at(place[1]).get<std::string>();
+      CHECK((graph.starts_with("<svg") && graph.ends_with("</svg>")));
+      graphs.insert(place[1]);
+      CHECK(words_alone["frames"][i]["progress"].size() == 1);
+    }
+    CHECK(graphs.size() + 1 == data["graphs"].size());
+    CHECK(page_data(story, drawn, {}, 1)["graphs"].empty());
+    CHECK_FALSE(page_data(story, drawn, {}, 1)["frames"][1].contains("progress"));
+  }
+  CHECK(page_data(tell(walkthrough("figure-1")), drawn, {})["frames"][0]["progress"].is_null());  // no search
+}
+
 TEST_CASE("A page has each question of its story, before the step that answers it") {
   const Story story = tell(walkthrough("figure-4-right"));
   const std::vector<Question> questions = questions_of(story);
@@ -124,7 +158,8 @@ TEST_CASE(
     const PageJson data = data_of(tell(walkthrough(name)));
     for (const PageJson& frame : data["frames"]) {
       titles.push_back("");
-      for (const PageJson& code : frame["code"]) titles.back() += data["texts"].at(code["title"].get<std::size_t>()).get<std::string>() + ". ";
+      for (const PageJson& code : frame["code"])
+        titles.back() += data["texts"].at(code["title"].get<std::size_t>()).get<std::string>() + ". ";
     }
     return titles;
   };
@@ -232,7 +267,7 @@ TEST_CASE("A page has its files beside it and asks for them, or holds what is in
   for (const auto& [name, content] : files) {
     INFO(name);
     if (name == page_file) continue;
-    const bool is_asked_for_later = name == events_file || name == "quiz.js";
+    const bool is_asked_for_later = name == events_file || name == "quiz.js" || name == "lesson.js";
     CHECK(count(page, "=\"" + name + "\"") == (is_asked_for_later ? 0 : 1));
     CHECK(count(page, content) == 0);
     CHECK(count(whole, "=\"" + name + "\"") == 0);
@@ -251,19 +286,22 @@ TEST_CASE("Without scripts each step has its picture and its caption") {
   }
 }
 
-TEST_CASE("All that a page loads but its pictures is below 96 kB, and 1.9 more for each step beyond the 50th",
+TEST_CASE("All that a page loads but its pictures is below 112 kB, and 1.9 more for each step beyond the 50th",
           "[unsanitized][full]") {
+  render::Font font(render::Font::default_directory());
+  PagePictures drawn = pictures;
+  drawn.font = &font;
   for (const Walkthrough& w : whole_catalogue()) {
     INFO(w.name);
     const Story story = tell(w);
     const std::vector<PageFile> files =
-        page_files(story, pictures, {.command = "gjkstep render", .has_files_beside = true});
+        page_files(story, drawn, {.command = "gjkstep render", .has_files_beside = true});
     const std::string& page = files.back().content;
     std::size_t size = page.size();
     for (const PageFile& file : files)
       if (count(page, "=\"" + file.name + "\"") > 0) size += file.content.size();
     CHECK(size > page.size() + 20'000);
-    CHECK(size < 96'000 + 1'900 * (std::max<std::size_t>(story.frames.size(), 50) - 50));
+    CHECK(size < 112'000 + 1'900 * (std::max<std::size_t>(story.frames.size(), 50) - 50));
   }
 }
 
@@ -284,3 +322,5 @@ TEST_CASE("Of every search that is told step by step each question is asked") {
     CHECK(data_of(tell(w))["unasked"] == 0);
   }
 }
+
+}  // namespace page_test

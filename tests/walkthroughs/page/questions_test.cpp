@@ -9,6 +9,8 @@
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
+namespace questions_test {
+
 using namespace walkthroughs;
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
@@ -462,3 +464,5 @@ TEST_CASE("Practice is about just the decision that was missed, where there is s
     CHECK((name.empty() || find_walkthrough(name)));
   }
 }
+
+}  // namespace questions_test

@@ -3,6 +3,8 @@
 #include "tests/kit/catch.hpp"
 #include "walkthroughs/page/page.hpp"
 
+namespace viewer_test {
+
 using namespace walkthroughs::program;
 
 TEST_CASE("A page takes what fills its places as it is, also where that looks like a place") {
@@ -43,3 +45,5 @@ TEST_CASE("The viewer asks for nothing outside of the page") {
       CHECK(content.find(outside) == std::string::npos);
   }
 }
+
+}  // namespace viewer_test

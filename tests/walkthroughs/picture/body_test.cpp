@@ -9,6 +9,8 @@
 #include "tests/walkthroughs/polygons.hpp"
 #include "tests/walkthroughs/shapes.hpp"
 
+namespace body_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -189,3 +191,5 @@ TEST_CASE("An outline in the plane has no more corners than are seen, and stays 
   CHECK(area(found) == Approx(pi).epsilon(1e-4));
   CHECK(outline_of(around(300, 0), Lens{}).size() == 300);
 }
+
+}  // namespace body_test

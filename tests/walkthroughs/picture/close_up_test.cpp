@@ -9,6 +9,8 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
+namespace close_up_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using render::Vec2;
@@ -168,3 +170,5 @@ TEST_CASE("In a close-up of round objects their border runs where it does") {
     CHECK(nearest < 80);  // in sight
   }
 }
+
+}  // namespace close_up_test

@@ -11,6 +11,8 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/output/renderer.hpp"
 
+namespace draw_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -253,3 +255,5 @@ TEST_CASE("The pictures in the README are those that the program draws, and smal
   check("figure-4-left.png", strip_page(plane), strip_page(plane), [&](auto& canvas) { draw_strip(canvas, plane); });
   check("3-simplex-face-adb-edge-ad.png", {640, 360}, frame_page, [&](auto& canvas) { draw_frame(canvas, space, 22); });
 }
+
+}  // namespace draw_test

@@ -14,6 +14,8 @@
 #include "tests/kit/dice.hpp"
 #include "walkthroughs/picture/body.hpp"
 
+namespace hull_faces_test {
+
 using namespace walkthroughs;
 using namespace walkthroughs::picture;
 
@@ -268,3 +270,5 @@ TEST_CASE("Of points on a coarse grid, few or many, faces are whole, and come by
         std::vector<std::vector<std::size_t>>{
             {0, 1, 3, 2}, {0, 2, 6, 4}, {0, 4, 5, 1}, {1, 5, 7, 3}, {2, 3, 7, 6}, {4, 6, 7, 5}});
 }
+
+}  // namespace hull_faces_test

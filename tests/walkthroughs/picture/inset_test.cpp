@@ -5,6 +5,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace inset_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using render::Box;
@@ -116,3 +118,5 @@ TEST_CASE("A magnification is 1, 2 or 5 times a power of ten, and short in words
   CHECK(words_of_factor(500) == "×500");
   CHECK(words_of_factor(2e14) == "×2e14");
 }
+
+}  // namespace inset_test

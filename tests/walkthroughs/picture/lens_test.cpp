@@ -6,6 +6,8 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/picture/stage.hpp"
 
+namespace lens_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -59,3 +61,5 @@ TEST_CASE("No triangle that decides is seen edge-on") {
   }
   CHECK(seen > 50);
 }
+
+}  // namespace lens_test

@@ -7,6 +7,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace light_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -37,3 +39,5 @@ TEST_CASE("A cap turned to the light gets it all at once") {
   for (std::size_t i = 0; i < parts.size(); ++i)
     CHECK((render::signed_area(parts[i]) > std::numbers::pi * 0.7) == (light_steps[i] < on_cap));
 }
+
+}  // namespace light_test

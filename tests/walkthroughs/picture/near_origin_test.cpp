@@ -5,6 +5,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace near_origin_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -46,3 +48,5 @@ TEST_CASE("Of a segment what is near the origin keeps its ends, and what is cut 
   CHECK(to == Point(1e-200, 1e-200, 0));
   CHECK(part_near_origin({1, 1, 0}, {1, 2, 0}, 1e-9).first == Point(1, 1, 0));  // nothing of it is
 }
+
+}  // namespace near_origin_test

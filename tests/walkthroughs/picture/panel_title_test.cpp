@@ -7,6 +7,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/pictures.hpp"
 
+namespace panel_title_test {
+
 using namespace walkthroughs::program;
 using render::Vec2;
 
@@ -128,3 +130,5 @@ TEST_CASE("A name of two words that is too long for a line goes on in the next, 
   CHECK(key.heights.size() == 28);
   CHECK(key.right <= frame.max.x());
 }
+
+}  // namespace panel_title_test

@@ -9,6 +9,8 @@
 #include "walkthroughs/picture/stage.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
+namespace placing_test {
+
 using namespace walkthroughs::program;
 
 namespace {
@@ -107,3 +109,5 @@ TEST_CASE("An object that vanishes beside the other is drawn with it") {
     for (std::size_t i = 0; i < story.frames.size(); ++i) CHECK_NOTHROW(draw_frame(canvas, story, i));
   }
 }
+
+}  // namespace placing_test

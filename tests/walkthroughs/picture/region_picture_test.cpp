@@ -9,6 +9,8 @@
 #include "tests/walkthroughs/catalogue/nearest_feature.hpp"
 #include "tests/walkthroughs/polygons.hpp"
 
+namespace region_picture_test {
+
 using namespace walkthroughs;
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
@@ -77,3 +79,5 @@ TEST_CASE("The regions of a segment tile the picture and are numbered as in Fig.
     });
   }
 }
+
+}  // namespace region_picture_test

@@ -8,6 +8,8 @@
 #include "tests/walkthroughs/shapes.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace surface_crossing_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -52,3 +54,5 @@ TEST_CASE("Surfaces that do not cross have no such line, and one of flat objects
         }));
   CHECK(length_of(pieces) == Approx(4 * std::sqrt(1.25)));
 }
+
+}  // namespace surface_crossing_test

@@ -6,6 +6,8 @@
 #include "tests/kit/pictures.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 
+namespace triad_test {
+
 using namespace walkthroughs::program;
 using render::Box;
 using render::Vec2;
@@ -61,3 +63,5 @@ TEST_CASE("The letters of the axes stand clear of each other and of the axes, fr
       }
     }
 }
+
+}  // namespace triad_test

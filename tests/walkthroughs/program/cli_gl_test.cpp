@@ -5,6 +5,8 @@
 #include "render/offscreen_context.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 
+namespace cli_gl_test {
+
 using namespace walkthroughs::test;
 
 TEST_CASE("A backend that this build lacks is exit code 4 and the message names its package, and nothing is written") {
@@ -19,3 +21,5 @@ TEST_CASE("A backend that this build lacks is exit code 4 and the message names 
     }
   }
 }
+
+}  // namespace cli_gl_test

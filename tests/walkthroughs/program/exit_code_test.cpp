@@ -16,6 +16,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 
+namespace exit_code_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -82,3 +84,5 @@ TEST_CASE("A thread that cannot be started is told with what to do, other errors
   CHECK(other.exit_code == 1);
   CHECK(has(other.err, "gjkstep: as it is"));
 }
+
+}  // namespace exit_code_test

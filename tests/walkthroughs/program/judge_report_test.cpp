@@ -7,7 +7,7 @@
 #include "walkthroughs/judge/report_page.hpp"
 
 namespace walkthroughs::program {
-namespace {
+namespace judge_report_test {
 
 using kit::bytes_of, kit::has, kit::listing;
 
@@ -112,5 +112,5 @@ TEST_CASE("Report: the first wrong step stands above the worst pairs, with its o
   CHECK_FALSE(std::filesystem::exists(folder / "first-wrong-step"));
 }
 
-}  // namespace
+}  // namespace judge_report_test
 }  // namespace walkthroughs::program

@@ -8,6 +8,8 @@
 #include "tests/walkthroughs/program/program.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 
+namespace places_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 namespace fs = std::filesystem;
@@ -97,3 +99,5 @@ TEST_CASE("Two files, two folders of pictures, or a file and the folder of anoth
   expect_refused([](Places& p) { p.write_into("a", {"###.png"}, "one"), p.write_into("a/100.png", {}, "two"); });
   expect_refused([](Places& p) { p.read("a/000.png", "one"), p.write_into("a", {"###.png"}, "two"); });
 }
+
+}  // namespace places_test

@@ -10,6 +10,8 @@
 #include "tests/kit/catch.hpp"
 #include "walkthroughs/query/query.hpp"
 
+namespace query_lines_test {
+
 using namespace walkthroughs::program;
 
 namespace {
@@ -79,3 +81,5 @@ TEST_CASE("Memory does not grow with the number of lines") {
 TEST_CASE("Memory does not grow with a line that is too long") {
   CHECK(growth_of_heap(std::string(1 << 20, ' '), 200) < 3 * query_limits::line);
 }
+
+}  // namespace query_lines_test

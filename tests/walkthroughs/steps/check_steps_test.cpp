@@ -11,7 +11,7 @@
 #include "walkthroughs/steps/mistakes.hpp"
 
 namespace walkthroughs::steps {
-namespace {
+namespace check_steps_test {
 
 /// The steps that a trace tells, as a program would write them: direction, and the simplex at the end of each iteration.
 ToldRun told(const NamedPair& named, const gjk::Trace<double>& trace) {
@@ -478,5 +478,5 @@ TEST_CASE("Steps: a wrong vertex is that of B's wrong side only where all that a
   CHECK(found({-6, -1, 0}).mistakes.empty());                        // along (0, -1, 0) of A, and (0, 1, 0) of B
 }
 
-}  // namespace
+}  // namespace check_steps_test
 }  // namespace walkthroughs::steps

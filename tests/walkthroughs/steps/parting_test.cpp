@@ -7,7 +7,7 @@
 #include "walkthroughs/judge/case.hpp"
 
 namespace walkthroughs::steps {
-namespace {
+namespace parting_test {
 
 /// M14's search on the pair of the recipe, as its program tells it.
 ToldRun wrong_order() {
@@ -83,5 +83,5 @@ TEST_CASE("Parting: steps that no mistake explains are told themselves, and part
   CHECK(own_parting(run, 2).facts[0].text.find("The next direction d leads from segment") != std::string::npos);
 }
 
-}  // namespace
+}  // namespace parting_test
 }  // namespace walkthroughs::steps

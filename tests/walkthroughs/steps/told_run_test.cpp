@@ -4,7 +4,7 @@
 #include "walkthroughs/steps/differences.hpp"
 
 namespace walkthroughs::steps {
-namespace {
+namespace told_run_test {
 
 TEST_CASE("Told runs: a step is read, whatever number is none in it", "[steps]") {
   const ToldStep step = read_step(R"( {"direction":[1,0,0],"simplex":[[-1,0,0],[2,3,4]]})");
@@ -71,5 +71,5 @@ TEST_CASE("Told runs: what is no step is refused with the reason", "[steps]") {
   check_fails(R"({"direction":[1,0,0],"simplex":[[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0]]})", "one to four points");
 }
 
-}  // namespace
+}  // namespace told_run_test
 }  // namespace walkthroughs::steps

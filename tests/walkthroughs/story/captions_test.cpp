@@ -6,6 +6,8 @@
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/story/words.hpp"
 
+namespace captions_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -114,3 +116,5 @@ TEST_CASE("Behind a number stands what it was taken for, also where only the zer
     }
   }
 }
+
+}  // namespace captions_test

@@ -4,6 +4,8 @@
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace decision_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using Kind = DecisionView::Kind;
@@ -123,3 +125,5 @@ TEST_CASE("In the plane of d and OP, P lies as far to the right as the crossing 
   CHECK(crossed > 30);
   CHECK(not_crossed > 5);
 }
+
+}  // namespace decision_test

@@ -2,6 +2,8 @@
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
+namespace frame_choice_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -57,3 +59,5 @@ TEST_CASE("Frames that are kept cover all events from the beginning to the last 
     }
   }
 }
+
+}  // namespace frame_choice_test

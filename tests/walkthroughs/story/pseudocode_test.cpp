@@ -8,6 +8,8 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/story/words.hpp"
 
+namespace pseudocode_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -120,3 +122,5 @@ TEST_CASE("Algorithm 1 is at its support function, its crossing test and its end
     CHECK((kind == LineKind::separated) == (event.result.reason == gjk::Reason::origin_not_crossed));
   });
 }
+
+}  // namespace pseudocode_test

@@ -5,6 +5,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 
+namespace storyboard_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -91,3 +93,5 @@ TEST_CASE("Frames cover the events of each run without a gap, and a run that has
     }
   }
 }
+
+}  // namespace storyboard_test

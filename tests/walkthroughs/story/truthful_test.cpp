@@ -10,6 +10,8 @@
 #include "tests/walkthroughs/truth_about.hpp"
 #include "walkthroughs/model/moment.hpp"
 
+namespace truthful_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Status;
@@ -278,3 +280,5 @@ TEST_CASE("Ten thousand hostile scenes are told without a sentence that is false
           "[unsanitized][full]") {
   check_sentences(10000, 37);
 }
+
+}  // namespace truthful_test

@@ -5,6 +5,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
+namespace words_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -86,8 +88,8 @@ TEST_CASE("The minus sign of a number is U+2212, in the exponent too, and zero h
 }
 
 TEST_CASE("A vector has two components in the plane, three in space") {
-  CHECK(vector({-3.75, -3.25, -0.0}) == "(−3.75, −3.25)");
-  CHECK(vector({0, -0.0, 9}, Dimension::space) == "(0, 0, 9)");
+  CHECK(vector(Point(-3.75, -3.25, -0.0)) == "(−3.75, −3.25)");
+  CHECK(vector(Point(0, -0.0, 9), Dimension::space) == "(0, 0, 9)");
 }
 
 // -- Names of corners -------------------------------------------------------------------------------------------------
@@ -132,3 +134,5 @@ TEST_CASE("After Z come A2, B2 and so on") {
   CHECK(names.of(Point(53, 0, 0)) == "B3");
   CHECK(names.of(Point(60, 0, 0)).empty());
 }
+
+}  // namespace words_test

@@ -9,6 +9,8 @@
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/text/same_tree.hpp"
 
+namespace document_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -107,3 +109,5 @@ TEST_CASE("Wherever a letter of a line is changed both readers agree") {
     check_both_ways(changed);
   }
 }
+
+}  // namespace document_test

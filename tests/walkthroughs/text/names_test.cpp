@@ -4,6 +4,8 @@
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
+namespace names_test {
+
 using namespace walkthroughs::program;
 
 TEST_CASE("The name of a scene can name a folder that is seen, whatever its file is called") {
@@ -64,3 +66,5 @@ TEST_CASE("A name lies in its folder, is seen there, and is as long as said") {
   CHECK(objection_to_name(wide) == "has 202 bytes; shorten it to 200");
   CHECK(objection_to_words("a\u202Eb\tc", 9) == "has U+202E, which cannot be shown; leave it out");
 }
+
+}  // namespace names_test

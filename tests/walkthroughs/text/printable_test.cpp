@@ -5,6 +5,8 @@
 
 #include "tests/kit/catch.hpp"
 
+namespace printable_test {
+
 using namespace walkthroughs::program;
 
 TEST_CASE("What is not printable is shown as an escape, and the rest as it is") {
@@ -69,3 +71,5 @@ TEST_CASE("Missing letters that would not show are named by their codes alone") 
   CHECK(missing_letters({0x1, 0x85, 0x2067}) ==
         "the font has no sign for U+0001, U+0085, U+2067: boxes stand in their place");
 }
+
+}  // namespace printable_test

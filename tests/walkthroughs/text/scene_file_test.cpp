@@ -9,6 +9,8 @@
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
+namespace scene_file_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 namespace fs = std::filesystem;
@@ -265,3 +267,5 @@ TEST_CASE("Each file of the fuzzer's corpus reads and can be told, or is turned 
   CHECK(turned_away >= 40);
   CHECK(bytes_of(kit::source("tests/fuzz/scenes") / "example.json") == example_scene());
 }
+
+}  // namespace scene_file_test

@@ -5,6 +5,8 @@
 #include "tests/kit/program.hpp"
 #include "walkthroughs/text/printable.hpp"
 
+namespace shell_word_test {
+
 using walkthroughs::text::printable;
 using walkthroughs::text::shell_word;
 
@@ -29,3 +31,5 @@ TEST_CASE("A word of a shell has nothing that a terminal would act upon, and a s
     CHECK(kit::shell("printf %s " + word).out == name);
   }
 }
+
+}  // namespace shell_word_test

@@ -6,6 +6,8 @@
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
+namespace own_scenes_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -93,3 +95,5 @@ TEST_CASE("The trace of objects that a pose moves beyond all floats is taken", "
 TEST_CASE("The trace of cylinders and their sums is taken at every scale", "[trace-file]") {
   for (int power = -323; power < 150; ++power) check_takes_what_it_writes(scaled(std::pow(10, power)));
 }
+
+}  // namespace own_scenes_test

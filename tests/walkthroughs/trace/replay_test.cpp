@@ -7,6 +7,8 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/scene.hpp"
 
+namespace replay_test {
+
 using namespace walkthroughs;
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
@@ -129,3 +131,5 @@ TEST_CASE("A trace of a mistake beside a search of another pair is told all the 
     }
   }
 }
+
+}  // namespace replay_test

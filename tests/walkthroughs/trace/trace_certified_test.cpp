@@ -2,6 +2,8 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 
+namespace trace_certified_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
@@ -83,3 +85,5 @@ TEST_CASE("Only scenes that say so have proofs", "[trace]") {
   plain[0]["scenes"][0]["certified"] = true;
   CHECK(complaint_about_trace(text_of(plain)).find("'proof-tried'") != std::string::npos);
 }
+
+}  // namespace trace_certified_test

@@ -15,6 +15,8 @@
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
+namespace trace_file_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 namespace fs = std::filesystem;
@@ -515,3 +517,5 @@ TEST_CASE("Each trace of the corpus is read or has a place in the table of damag
   CHECK(read >= 13);
   CHECK(refused == std::size(damages));
 }
+
+}  // namespace trace_file_test

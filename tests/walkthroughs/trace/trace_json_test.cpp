@@ -11,6 +11,8 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
+namespace trace_json_test {
+
 using namespace walkthroughs;
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
@@ -352,3 +354,5 @@ TEST_CASE("The walkthroughs use the whole vocabulary of events") {
                                       "region-tested", "simplex-reduced", "direction-chosen", "finished", "truth",
                                       "proof-tried", "sign-taken", "feature-kept", "certified"});
 }
+
+}  // namespace trace_json_test
