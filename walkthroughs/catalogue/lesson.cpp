@@ -124,7 +124,7 @@ constexpr std::array all_screens{
         "Why only three faces",
         "A tetrahedron has four faces. From BCD the search has just come: A was found on the side of BCD where O lies. "
         "So only the three faces at A are asked about.",
-        "Above which face does O lie? Press it in the picture.",
+        "Above which of the three faces at A does O lie? Press it in the picture.",
         "Look at the three faces seen edge-on: in one picture O stands on the side of the normal.",
         "O lies above ACD, so B is dropped.", "regions/3-simplex-face-acd", Focus::added, 4, Doing::answer},
     Screen{"Touching",
