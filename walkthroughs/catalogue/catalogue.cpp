@@ -10,8 +10,9 @@ namespace {
 
 std::vector<Walkthrough> all_walkthroughs() {
   std::vector<Walkthrough> all;
-  for (const auto family : {lesson, two_triangles, figure_1, figure_2, figure_3, figures_4_and_5, figures_6_and_7, figure_8,
-                            region_cases, vehicle_and_threat, other_rules, failures, certified_answers, mistakes})
+  for (const auto family :
+       {lesson, two_triangles, figure_1, figure_2, figure_3, figures_4_and_5, figures_6_and_7, figure_8, region_cases,
+        vehicle_and_threat, other_rules, failures, certified_answers, mistakes})
     std::ranges::move(family(), std::back_inserter(all));
   return all;
 }

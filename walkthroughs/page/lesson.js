@@ -4,9 +4,7 @@
 // `open(request)`: promises the answer of the program about a screen. `asks(wanted)`: asks what the next step will be, or nothing any more.
 function lessonAbout({title, screens, host, stage, asks, open}) {
   const shelf = `gjkstep lesson ${location.pathname}`;
-  // The store of the browser, where it has one and allows it; else what is done lives as long as the page.
-  const store = act => { try { return act(localStorage); } catch { return null; } };
-  const kept = store(shop => JSON.parse(shop.getItem(shelf)));
+  const kept = stored(shop => JSON.parse(shop.getItem(shelf)));
   const done = new Set(Array.isArray(kept) ? kept.filter(place => place in screens) : []);
   let at = 0, isOpen = false;
 
@@ -53,7 +51,7 @@ function lessonAbout({title, screens, host, stage, asks, open}) {
     hidesWords(false);
     hint.replaceChildren();
     done.add(at);
-    store(shop => shop.setItem(shelf, JSON.stringify([...done])));
+    stored(shop => shop.setItem(shelf, JSON.stringify([...done])));
     verdict.replaceChildren(make('b', {textContent: '✓ Done. '}), ...marked(screens[at].seen));
     next.className = 'strong';
     fillDots();

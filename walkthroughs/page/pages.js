@@ -25,6 +25,9 @@ function marked(text) {
   return [...parts, text.slice(at)];
 }
 
+// What `act` does with the store of the browser; null where it has none or does not allow it.
+const stored = act => { try { return act(localStorage); } catch { return null; } };
+
 // What of the pictures in an element is shown.
 function cutOut(element, {width, left, top, aspect}) {
   for (const [name, value] of Object.entries({width: `${width}%`, left: `${left}%`, top: `${top}%`, aspect}))

@@ -14,8 +14,7 @@ function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, pl
   const untold = isAboutLine ? 'Which line is wrong?' : 'What will the search find?', skipped = new Set();
   const nothing = () => questions.map(() => null);
   const now = () => steps[place()], isAtEnd = () => place() === steps.length - 1;
-  // The store of the browser, where it has one and allows it; else answers live as long as the page.
-  const store = act => { try { return keeps ? act(localStorage) : null; } catch { return null; } };
+  const store = act => keeps ? stored(act) : null;
   const kept = store(shop => JSON.parse(shop.getItem(shelf)));
   let answers = Array.isArray(kept) && kept.length === questions.length ? kept : nothing();
   let predicting = false, asked = null, isTold = false;
