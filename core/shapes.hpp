@@ -10,10 +10,17 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
 #include <optional>
+#include <ranges>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "direction_cells.hpp"
 
 namespace gjk {
 
@@ -51,6 +58,7 @@ class PointBlocks {
 
   explicit PointBlocks(const std::vector<Vec3<S>>& points) {
     if (!pay_off(points.size())) return;
+    blocks_.reserve((points.size() + size - 1) / size);
     for (std::size_t first = 0; first < points.size(); first += size) {
       Block& block = blocks_.emplace_back();
       for (std::size_t i = 0; i < size; ++i)  // the last point fills up the last block
@@ -121,8 +129,16 @@ class PointSet {
 
   /// Eq. 5: the point P with P·d >= Q·d for all Q. Among equals the first in the list.
   SupportPoint<S> support(const Vec3<S>& d) const {
-    const std::size_t farthest = blocks_.empty() ? one_by_one(d) : blocks_.farthest(d);
+    const std::size_t farthest =
+        blocks_.empty() ? one_by_one(d, std::views::iota(std::size_t{0}, points_.size())) : among_many(d);
     return {points_[farthest], static_cast<int>(farthest)};
+  }
+
+  /// Makes ready for many questions: support() then answers the same, to the last bit, and looks at few points, however many there
+  /// are. It pays off for hundreds of points that are asked as often as there are points. Takes n log n time for n points, and memory
+  /// for some 32 n numbers at most.
+  void prepare() requires std::floating_point<S> {
+    if (!blocks_.empty()) cells_ = std::make_shared<detail::DirectionCells<S>>(points_, extent_);
   }
 
   const std::vector<Vec3<S>>& points() const { return points_; }
@@ -139,17 +155,28 @@ class PointSet {
   const Vec3<S>& mean() const requires std::floating_point<S> { return mean_; }
 
  private:
-  std::size_t one_by_one(const Vec3<S>& d) const {
-    std::size_t farthest = 0;
-    S most = reach(points_[0], d);
-    for (std::size_t i = 1; i < points_.size(); ++i) {
-      const S here = reach(points_[i], d);
+  /// `places`: in order, at least one.
+  std::size_t one_by_one(const Vec3<S>& d, const auto& places) const {
+    auto place = places.begin();
+    std::size_t farthest = *place;
+    S most = reach(points_[farthest], d);
+    while (++place != places.end()) {
+      const S here = reach(points_[*place], d);
       if (here > most) {
         most = here;
-        farthest = i;
+        farthest = *place;
       }
     }
     return farthest;
+  }
+
+  /// Never inlined: small sets should not have this in their way.
+  [[gnu::noinline]] std::size_t among_many(const Vec3<S>& d) const {
+    if constexpr (std::floating_point<S>) {
+      const auto few = cells_ ? cells_->along(d) : std::span<const std::uint32_t>();
+      if (!few.empty()) return one_by_one(d, few);
+    }
+    return blocks_.farthest(d);
   }
 
   /// P·d, added up from the right: the order that Eigen's dot() takes depends on the scalar and on the processor.
@@ -158,6 +185,7 @@ class PointSet {
   std::vector<Vec3<S>> points_;
   Vec3<S> extent_ = Vec3<S>::Zero(), mean_ = Vec3<S>::Zero();
   detail::PointBlocks<S> blocks_;
+  std::shared_ptr<const detail::DirectionCells<S>> cells_;  ///< once it is prepared
 };
 
 /// A solid ball.
@@ -258,14 +286,25 @@ struct Pose {
   ///
   /// Floating-point directions are first scaled by a power of two, which rounds nothing. Otherwise the largest finite
   /// ones would overflow in the product, and the smallest would vanish. The shape would then be asked in no direction
-  /// (P1).
+  /// (P1). Those of usual size are taken as they are, which is the same but for that power, and sooner.
   Vec3<S> turned_back(const Vec3<S>& d) const {
-    Vec3<S> scaled = d;
     if constexpr (std::floating_point<S>) {
-      const int exponent = std::ilogb(d.cwiseAbs().maxCoeff());
-      scaled = d.unaryExpr([=](S x) { return std::scalbn(x, -exponent); });
+      if (!is_of_usual_size(d)) {
+        const int exponent = std::ilogb(d.cwiseAbs().maxCoeff());
+        return turned_back_as_it_is(d.unaryExpr([=](S x) { return std::scalbn(x, -exponent); }));
+      }
     }
-    return {rotation.col(0).dot(scaled), rotation.col(1).dot(scaled), rotation.col(2).dot(scaled)};
+    return turned_back_as_it_is(d);
+  }
+
+ private:
+  static bool is_of_usual_size(const Vec3<S>& d) {
+    constexpr S epsilon = std::numeric_limits<S>::epsilon(), least = epsilon * epsilon;
+    return std::ranges::all_of(d, [](S x) { return x == 0 || (std::abs(x) > least && std::abs(x) < 1 / least); });
+  }
+
+  Vec3<S> turned_back_as_it_is(const Vec3<S>& d) const {
+    return {rotation.col(0).dot(d), rotation.col(1).dot(d), rotation.col(2).dot(d)};
   }
 };
 
@@ -280,6 +319,8 @@ class Posed {
     const SupportPoint<S> own = shape_.support(pose_.turned_back(d));
     return {pose_(own.point), own.index};
   }
+
+  void move_to(const Pose<S>& pose) { pose_ = pose; }
 
   const A& shape() const { return shape_; }
   const Pose<S>& pose() const { return pose_; }

@@ -34,7 +34,7 @@ floors = [
 
 
 # Headers that need Boost, too; who includes others of the core needs Eigen only.
-proving = [f"core/certified/{name}.hpp" for name in ("certified", "exact_fallback", "telling", "grown", "check", "check_grown", "dyadic",
+proving = [f"core/certified/{name}.hpp" for name in ("certified", "moving", "exact_fallback", "telling", "grown", "check", "check_grown", "dyadic",
                                                       "fraction", "boost_whole_numbers")]
 
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "../events.hpp"
+#include "../tetrahedron.hpp"
 #include "bounded.hpp"
 
 namespace gjk::detail {
@@ -55,10 +56,7 @@ class SeparationFilter {
   double gap_, s_;
 };
 
-/// C2. Returns: whether the origin lies strictly inside the tetrahedron.
-///
-/// Let v(x, y, z) = (x×y)·z. For any four vectors a·v(b,c,d) − b·v(a,c,d) + c·v(a,b,d) − d·v(a,b,c) = 0. Where the four
-/// coefficients have one strict sign, the origin is a convex combination of all four points.
+/// C2. Returns: whether the origin lies strictly inside the tetrahedron, by its VolumesAtOrigin.
 ///
 /// The static error bound, M being the largest component of all:
 ///  1. Each of the six products of three components in v is at most M³.
@@ -77,25 +75,22 @@ class ContainmentFilter {
     is_applicable_ = M > Range<S>::least_norm && M < Range<S>::largest_norm;
     if (!is_applicable_) return;
     error_ = (64 * roundoff_of<S> * M + 8 * mean_error) * (M * M);
-    const Vec3<S> cd = c.cross(d), ab = a.cross(b);
-    bcd_ = static_cast<double>(b.dot(cd)), acd_ = static_cast<double>(a.dot(cd));
-    abd_ = static_cast<double>(ab.dot(d)), abc_ = static_cast<double>(ab.dot(c));
+    volumes_ = VolumesAtOrigin<S>(a, b, c, d);
   }
 
-  bool holds() const {
-    return is_applicable_ && ((bcd_ > error_ && acd_ < -error_ && abd_ > error_ && abc_ < -error_) ||
-                              (bcd_ < -error_ && acd_ > error_ && abd_ < -error_ && abc_ > error_));
-  }
+  bool holds() const { return is_applicable_ && volumes_.hold_origin(error_); }
   /// Of the simplex [D, C, B, A].
   FilterTried<S> told() const {
     FilterTried<S> event{.proof = Proof::tetrahedron, .bound = error_, .holds = holds()};
-    if (is_applicable_) event.numbers = {{"C·(B×A)", bcd_}, {"D·(A×B)", -acd_}, {"A·(D×C)", abd_}, {"B·(C×D)", -abc_}};
+    const auto& [bcd, acd, abd, abc] = volumes_;
+    if (is_applicable_) event.numbers = {{"C·(B×A)", bcd}, {"D·(A×B)", -acd}, {"A·(D×C)", abd}, {"B·(C×D)", -abc}};
     return event;
   }
 
  private:
   bool is_applicable_ = false;
-  double error_ = 0, bcd_ = 0, acd_ = 0, abd_ = 0, abc_ = 0;
+  double error_ = 0;
+  VolumesAtOrigin<S> volumes_ = {};
 };
 
 /// C2. Returns: by how much the components of the mean of n points of that extent may be off, see PointSet::mean().

@@ -37,7 +37,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 TOP = HERE.parent.parent
 MARK = re.compile(r'(#|\$|>|\||2>|=)( |$)?')
 ORDER = ('$', '>', '|', '', '2>', '=')
-NEEDS = ('egl', 'ffmpeg', 'osmesa', 'ulimit')
+NEEDS = ('egl', 'ffmpeg', 'live', 'osmesa', 'ulimit')
 
 
 class Refused(Exception):

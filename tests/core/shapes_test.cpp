@@ -59,6 +59,55 @@ TEMPLATE_TEST_CASE("Eq. 5: where products overflow or are no numbers, the answer
     }
 }
 
+/// Points as they come, on a ball, on a disc, in small whole numbers, on a cube, in a line.
+template <class S>
+std::vector<Vec3<S>> cloud(int kind, std::size_t count, Dice& dice) {
+  std::vector<Vec3<S>> all(count);
+  for (Vec3<S>& p : all) {
+    for (S& x : p) x = static_cast<S>(dice.between(-1.0, 1.0));
+    if (kind == 1 || kind == 2) p.stableNormalize();
+    if (kind == 2) p.z() = S(0.1) * p.x();
+    if (kind == 3) p = (4 * p).array().round().matrix();
+    if (kind == 4) p /= p.cwiseAbs().maxCoeff();
+    if (kind == 5) p.y() = p.z() = S(1) / 3;
+  }
+  return all;
+}
+
+TEMPLATE_TEST_CASE("A prepared point set answers as it did, to the last bit, equals and extremes included", "[shapes]",
+                   float, double, long double) {
+  using S = TestType;
+  Dice dice(7474);
+  for (const std::size_t count : {1U, 15U, 16U, 100U, 1500U})
+    for (int kind = 0; kind < 6; ++kind) {
+      const PointSet<S> points(cloud<S>(kind, count, dice));
+      PointSet<S> prepared = points;
+      prepared.prepare();
+      for (int i = 0; i < 400; ++i) {
+        Vec3<S> d = cloud<S>(i % 6, 1, dice)[0];
+        if (d.isZero()) d = Vec3<S>(0, -1, 0);
+        if (i % 3 == 0) d *= std::scalbn(S(1), dice.between(-1, 1) * (std::numeric_limits<S>::max_exponent - 4));
+        if (i % 5 == 0) d = points.points()[0].cross(d) + Vec3<S>(0, 0, S(1e-30));
+        INFO("kind " << kind << ", " << count << " points, d = " << d.transpose());
+        REQUIRE(prepared.support(d) == points.support(d));
+      }
+    }
+}
+
+TEST_CASE("A prepared point set looks at few points, but where most are as far", "[shapes]") {
+  Dice dice(7474);
+  const auto looked_at = [&](int kind, const V& d) {
+    const PointSet<double> points(cloud<double>(kind, 10'000, dice));
+    return detail::DirectionCells<double>(points.points(), points.extent()).along(d).size();
+  };
+  for (const int kind : {0, 1, 3}) {
+    const std::size_t few = looked_at(kind, V(1, -2, 3));
+    CHECK(few > 0);
+    CHECK(few <= 12);
+  }
+  CHECK(looked_at(5, V(0, 1, 2)) == 0);  // none is left out
+}
+
 TEMPLATE_TEST_CASE("The mean of a point set is off by at most nur, and not finite where the sum overflows", "[shapes]",
                    float, double, long double) {
   using S = TestType;

@@ -7,6 +7,8 @@
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/query/query.hpp"
 
+namespace golden_answers_test {
+
 using kit::Dice, kit::Json;
 using namespace walkthroughs::program;
 
@@ -124,3 +126,5 @@ TEST_CASE("answers about pairs at random are the accepted ones") {
   }
   golden::check_text("answers.jsonl", now, "answers");
 }
+
+}  // namespace golden_answers_test

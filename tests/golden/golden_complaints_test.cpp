@@ -12,6 +12,8 @@
 #include "walkthroughs/query/query.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
+namespace golden_complaints_test {
+
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using golden::Sentences;
@@ -169,3 +171,5 @@ TEST_CASE("complaints about damaged input are as accepted") {
       "== Scenes\n" + said_of(scenes) + "\n== Traces\n" + said_of(traces) + "\n== Queries\n" + said_of(queries),
       "complaints");
 }
+
+}  // namespace golden_complaints_test

@@ -17,6 +17,8 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 
+namespace golden_frames_test {
+
 using namespace golden;
 using render::Canvas, render::CanvasVertex;
 using walkthroughs::picture::Look, walkthroughs::picture::StagedStory;
@@ -170,3 +172,5 @@ TEST_CASE("frames of all walkthroughs are laid out and described as accepted", "
                             << "\nTo see them before and now: tests/golden/accept.py frames; to accept them: "
                             << command_to_accept("frames"));
 }
+
+}  // namespace golden_frames_test

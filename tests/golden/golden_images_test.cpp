@@ -12,6 +12,8 @@
 #include "tests/golden/store.hpp"
 #include "tests/kit/catch.hpp"
 
+namespace golden_images_test {
+
 using namespace golden;
 
 namespace {
@@ -100,3 +102,5 @@ TEST_CASE("images that are accepted are those that are drawn") {
   for (const Kept& kept : all_kept()) CHECK(drawn.insert(kept.name + ".png").second);
   for (const std::string& name : render::pictures_in(folder() / "images")) CHECK(drawn.contains(name));
 }
+
+}  // namespace golden_images_test

@@ -12,6 +12,8 @@
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
+namespace golden_pages_test {
+
 using namespace walkthroughs::program;
 
 TEST_CASE("pages of a walkthrough, what they load, and its captions are the accepted ones") {
@@ -59,3 +61,5 @@ TEST_CASE("pages that compare pictures are the accepted ones") {
   golden::check_text("page/compared.html", std::regex_replace(report.html(), std::regex("base64,[^\"]*"), "base64,"),
                      "pages");
 }
+
+}  // namespace golden_pages_test

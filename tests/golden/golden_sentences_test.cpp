@@ -7,6 +7,8 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 
+namespace golden_sentences_test {
+
 using namespace golden;
 using walkthroughs::picture::StagedStory;
 
@@ -29,3 +31,5 @@ TEST_CASE("sentences of all walkthroughs are the accepted ones") {
     add(said, each.name, StagedStory(tell(each.walkthrough, each.detail)));
   check_text("sentences.txt", said.text("   | "), "sentences");
 }
+
+}  // namespace golden_sentences_test

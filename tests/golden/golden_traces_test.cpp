@@ -11,6 +11,8 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
+namespace golden_traces_test {
+
 using namespace golden;
 using kit::Json;
 using walkthroughs::model::Walkthrough;
@@ -87,3 +89,5 @@ TEST_CASE("traces that are accepted belong to walkthroughs that there are") {
     CHECK(walkthroughs::catalogue::find_walkthrough(file.substr(0, file.find('.'))) != nullptr);
   }
 }
+
+}  // namespace golden_traces_test

@@ -84,13 +84,13 @@ constexpr std::array all_screens{
            "Move the objects until all of a − b lies to the right of the origin O.",
            "Each point of a must lie to the right of each point of b.",
            "Each point of a lies to the right of each point of b. So each difference points to the right.", "live",
-           Focus::support, 1, Doing::change, is_to_the_right},
+           Focus::support, 1, Doing::change, is_to_the_right, true},
     Screen{"The origin in it",
            "Where a and b have a point in common, that point minus itself is the origin O. "
            "So they intersect exactly when O lies in a − b.",
            "Move an object or drag its corners until O lies in a − b.", "Let the objects overlap, and look at O.",
-           "The objects overlap, and O lies in a − b.", "regions/1-simplex-r2-cannot-happen", Focus::end, 1,
-           Doing::change, is_together},
+           "The objects overlap, and O lies in a − b.", "figure-4-right", Focus::end, 1, Doing::change, is_together,
+           true},
     Screen{"Support points",
            "GJK never computes all of a − b. It asks for the support point, which lies farthest along a direction d. "
            "It is the support point of a along d minus that of b along −d.",
@@ -116,7 +116,7 @@ constexpr std::array all_screens{
     Screen{"The regions of a triangle",
            "With three points O may lie beyond an edge, R3 or R7, or above or below ABC. "
            "The other regions are ruled out by what the search did before.",
-           "In which region does O lie? Press it in the picture.",
+           "In which region does O lie?",
            "Seen from above, O lies within the triangle. Seen edge-on, ABC_n points upwards.",
            "O lies below. The search goes on along −ABC_n, and A and B change places.", "regions/2-simplex-r1-below",
            Focus::added, 3, Doing::answer},
@@ -124,15 +124,14 @@ constexpr std::array all_screens{
         "Why only three faces",
         "A tetrahedron has four faces. From BCD the search has just come: A was found on the side of BCD where O lies. "
         "So only the three faces at A are asked about.",
-        "Above which of the three faces at A does O lie? Press it in the picture.",
+        "Above which of the three faces at A does O lie?",
         "Look at the three faces seen edge-on: in one picture O stands on the side of the normal.",
         "O lies above ACD, so B is dropped.", "regions/3-simplex-face-acd", Focus::added, 4, Doing::answer},
     Screen{"Touching",
            "Objects that touch have a point in common, so they intersect. O then lies on the border of a − b. "
            "Where they all but touch, rounding may decide.",
            "Move the objects until they just touch.", "Put a corner of one onto a corner of the other.",
-           "O lies on the border of a − b.", "regions/1-simplex-r2-cannot-happen", Focus::end, 1, Doing::change,
-           only_touches},
+           "O lies on the border of a − b.", "live", Focus::end, 1, Doing::change, only_touches},
     Screen{"A search that goes round",
            "The report's rules take the first edge or face that sees O, not the nearest. "
            "Seldom, the search then comes back to a simplex that it had, and never ends.",
@@ -159,7 +158,7 @@ constexpr std::array all_screens{
 int draw_screen(const Screen& screen, render::Canvas& canvas, const render::Box& box, const Style& style) {
   Walkthrough shown = *find_walkthrough(screen.walkthrough);
   shown.panels.algorithm = false;
-  const StagedStory story(tell(shown));
+  const StagedStory story(as_shown_on(screen, tell(shown)));
   draw_panels(canvas, box, story, first_frame(screen, story), {.style = style, .turn = style.turn, .rise = style.rise});
   return 0;  // which the canvas has counted
 }
@@ -198,6 +197,17 @@ std::size_t first_frame(const Screen& screen, const Story& story) {
   });
   const auto last = std::prev(story.frames.end());
   return static_cast<std::size_t>((found == story.frames.end() ? last : found) - story.frames.begin());
+}
+
+Story as_shown_on(const Screen& screen, Story story) {
+  if (!screen.is_before_search) return story;
+  for (Frame& frame : story.frames)
+    for (Moment& moment : frame.moments) {
+      const int iteration = moment.iteration;
+      moment = Moment();
+      moment.iteration = iteration;
+    }
+  return story;
 }
 
 std::vector<Walkthrough> lesson() {

@@ -21,12 +21,16 @@ struct Screen {
   enum class Doing { change, answer, draw };
   Doing doing;
   bool (*is_done)(const Story&) = nullptr;  ///< by a change: whether the search that is told does what was to be done
+  bool is_before_search = false;            ///< whether only the objects and their difference are drawn
 };
 
 std::span<const Screen> screens();
 
 /// Returns: the frame of the screen's walkthrough that it begins with.
 std::size_t first_frame(const Screen& screen, const Story& story);
+
+/// Returns: the story with nothing to draw of the search, where the screen comes before it.
+Story as_shown_on(const Screen& screen, Story story);
 
 /// Of the walkthrough that has the screens as pictures, each with its idea and its task.
 inline constexpr const char* lesson_name = "lesson";

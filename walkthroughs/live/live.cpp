@@ -28,7 +28,8 @@ using Json = PageJson;
 
 /// A story and what it is about, which it refers to.
 struct Told {
-  explicit Told(Walkthrough about) : walkthrough(std::move(about)), story(tell(walkthrough)) {}
+  explicit Told(Walkthrough about, const Screen* screen = nullptr)
+      : walkthrough(std::move(about)), story(screen ? as_shown_on(*screen, tell(walkthrough)) : tell(walkthrough)) {}
   explicit Told(TraceFile file) : walkthrough(std::move(file.walkthrough)), story(tell(walkthrough, file.traces)) {}
 
   const Walkthrough walkthrough;
@@ -213,11 +214,11 @@ struct Live::Impl {
     if (const auto* complaint = std::get_if<Complaint>(&asked)) return error(*complaint);
     if (!can_be_told(asked)) return {{"more", true}};
     const std::shared_ptr<const Told> before = held ? held : told;
+    const Screen* screen = screen_of(request);
     if (auto* file = std::get_if<TraceFile>(&asked))
       told = std::make_shared<const Told>(std::move(*file));
     else
-      told = std::make_shared<const Told>(std::move(std::get<Walkthrough>(asked)));
-    const Screen* screen = screen_of(request);
+      told = std::make_shared<const Told>(std::move(std::get<Walkthrough>(asked)), screen);
     Json answer;
     if (before && request.contains("like")) {
       const std::vector<Frame>& known = before->story.frames;

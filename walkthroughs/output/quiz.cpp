@@ -8,7 +8,9 @@ namespace {
 using render::Canvas;
 using render::Vec2;
 
-constexpr double box_side = 15, box_left = 8, letter_left = 36, choice_left = 64, line_above = 4;  // units of words
+constexpr double box_side = 15, box_left = 8, letter_left = 36,
+                 choice_left = 64;             // units of words, of letters that are not scaled
+constexpr double line_above = 4, between = 8;  // units of words
 
 /// "b)"; those behind the alphabet go on with its capitals.
 std::string letter_of(std::size_t choice) {
@@ -18,22 +20,59 @@ std::string letter_of(std::size_t choice) {
 /// Returns: how high it is.
 double write_choice(Canvas& canvas, const Vec2& at, const std::string& letter, const std::string& text, double width,
                     const Style& style) {
-  canvas.text(at + Vec2(letter_left, style.fact.size), letter, style.fact);
-  return write_lines(canvas, at + Vec2(choice_left, 0), text, style.fact, width - choice_left);
+  canvas.text(at + Vec2(style.scaled(letter_left), style.fact.size), letter, style.fact);
+  const double left = style.scaled(choice_left);
+  return write_lines(canvas, at + Vec2(left, 0), text, style.fact, width - left);
 }
 
-double write_question(Canvas& canvas, double width, const std::string& where, const Question& question,
+/// What is asked about one picture: the frame before the first of the answers.
+struct Asked {
+  std::size_t first;  ///< of all questions
+  std::vector<Question> questions;
+  std::size_t frame() const { return questions[0].frame - 1; }
+};
+
+/// Whether what comes on the sheet answers it: of a search that goes on the origin was crossed.
+bool is_told(const Question& question) {
+  return question.tells_before ||
+         (question.decision.kind == Decision::Kind::crossing && question.decision.found == "crossed");
+}
+
+/// Of several words on one sheet: "triangle, quadrilateral".
+std::string objects_of(const Story& story) {
+  const Scene& scene = story.tellings.front().scene;
+  return literal(scene.a.name) + ", " + literal(scene.b.name);
+}
+
+bool is_of_one_picture(const Story& story, const Question& one, const Question& other) {
+  const auto iteration = [&](const Question& question) {
+    return story.frames[question.frame - 1].moments[question.scene].iteration;
+  };
+  return one.scene == other.scene && iteration(one) == iteration(other);
+}
+
+std::vector<Asked> by_pictures(const Story& story, const std::vector<Question>& all) {
+  std::vector<Asked> pictures;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i == 0 || !is_of_one_picture(story, all[i - 1], all[i])) pictures.push_back({i, {}});
+    pictures.back().questions.push_back(all[i]);
+  }
+  return pictures;
+}
+
+/// Returns: how high it is.
+double write_question(Canvas& canvas, double y, double width, std::size_t number, const Question& question,
                       const Style& style) {
-  double y = write_lines(canvas, {0, 0}, where, style.small, width);
-  y += write_lines(canvas, {0, y}, question.text, style.caption, width) + line_above;
+  const double top = y;
+  y += write_lines(canvas, {0, y}, std::to_string(number) + ". " + question.text, style.caption, width) + line_above;
   for (std::size_t i = 0; i < question.choices.size(); ++i) {
-    const double side = style.scaled(box_side), bottom = y + style.fact.size;
-    const Vec2 corners[] = {
-        {box_left, bottom}, {box_left + side, bottom}, {box_left + side, bottom - side}, {box_left, bottom - side}};
+    const double left = style.scaled(box_left), right = left + style.scaled(box_side);
+    const double bottom = y + style.fact.size, top_of_box = bottom - style.scaled(box_side);
+    const Vec2 corners[] = {{left, bottom}, {right, bottom}, {right, top_of_box}, {left, top_of_box}};
     canvas.outline(corners, {style.theme.ink, 1.5});
     y += write_choice(canvas, {0, y}, letter_of(i), question.choices[i].text, width, style) + line_above;
   }
-  return y;
+  return y - top;
 }
 
 double write_answer(Canvas& canvas, double width, const std::string& number, const Question& question,
@@ -41,7 +80,8 @@ double write_answer(Canvas& canvas, double width, const std::string& number, con
   const Choice& right = question.choices[question.right];
   canvas.text({0, style.fact.size}, number, style.fact);
   const double y = write_choice(canvas, {0, 0}, letter_of(question.right), right.text, width, style);
-  return y + write_lines(canvas, {choice_left, y}, right.reason, style.skipped, width - choice_left);
+  const double left = style.scaled(choice_left);
+  return y + write_lines(canvas, {left, y}, right.reason, style.skipped, width - left);
 }
 
 void add_key(Printed& printed, const std::vector<Question>& all, const Style& style, render::Font& font) {
@@ -51,24 +91,29 @@ void add_key(Printed& printed, const std::vector<Question>& all, const Style& st
   };
   rows.write(head, style, font);
   for (std::size_t i = 0; i < all.size(); ++i)
-    rows.write([&](Canvas& canvas,
-                   double width) { return write_answer(canvas, width, std::to_string(i + 1), all[i], style); },
-               style, font);
+    rows.write(
+        [&](Canvas& canvas, double width) { return write_answer(canvas, width, std::to_string(i + 1), all[i], style); },
+        style, font);
 }
 
 Printed quiz_of(const StagedStory& story, const std::vector<Question>& all, Look look, render::Font& font) {
   look.values = false;
   std::vector<InGrid> parts;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    parts.push_back({all[i].frame - 1, [&, i](Canvas& canvas, double width) {
-                       const std::string where =
-                           "question " + std::to_string(i + 1) + " · " + state_in_words(story, all[i].frame - 1);
-                       return write_question(canvas, width, where, all[i], look.style);
+  for (Asked& asked : by_pictures(story, all)) {
+    const std::size_t frame = asked.frame();
+    parts.push_back({frame, [&story, &look, asked = std::move(asked), frame](Canvas& canvas, double width) {
+                       double y = write_lines(canvas, {0, 0}, state_in_words(story, frame), look.style.small, width);
+                       for (std::size_t i = 0; i < asked.questions.size(); ++i)
+                         y += between + write_question(canvas, y + between, width, asked.first + i + 1,
+                                                       asked.questions[i], look.style);
+                       return y;
                      }});
+  }
   Printed sheet = in_grid_on_a4(story, parts, look, font);
   add_key(sheet, all, look.style, font);
   // Its title would tell how it ends.
-  add_heads_and_feet(sheet, "What will the search find? Cover what stands below: it tells.", look.style, font);
+  add_heads_and_feet(sheet, "GJK of " + objects_of(story) + ": what will it find? Cover what stands below.", look.style,
+                     font);
   return sheet;
 }
 
@@ -78,8 +123,9 @@ OneFile quiz(Unasked unasked) {
   const auto make = [unasked](const std::shared_ptr<const StagedStory>& story, const Output& output,
                               Renderer& renderer) -> Renderer::Content {
     const std::vector<Question> known = questions_of(*story);
-    const std::vector<Question> asked = in_frames(known, *story);
-    if (asked.empty() || asked.size() < known.size()) unasked(*story, asked.size(), known.size());
+    std::vector<Question> asked = in_frames(known, *story);
+    const auto told = std::erase_if(asked, is_told);
+    if (asked.empty() || asked.size() + told < known.size()) unasked(*story, asked.size(), known.size() - told);
     if (asked.empty()) return {};
     return pdf_of(quiz_of(*story, asked, output.look, renderer.font()), *story, output.look.style.theme.paper);
   };

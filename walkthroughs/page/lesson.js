@@ -18,8 +18,9 @@ function lessonAbout({title, screens, host, stage, asks, open}) {
   const heading = make('h2', {id: 'screen', tabIndex: -1}), idea = make('p'), task = make('p', {className: 'task'});
   const verdict = make('p', {className: 'done', role: 'status'}), hint = make('p', {className: 'small', role: 'status'});
   const hints = button('Hint', () => { hint.replaceChildren(...marked(`Hint: ${screens[at].hint}`)); });
+  const anew = button('Begin again', () => go(at, null));
   const back = button('← Back', () => go(at - 1)), next = button('Next →', () => go(at + 1)), more = make('a');
-  $('lesson').replaceChildren(list, heading, idea, task, verdict, make('p', {className: 'row'}, hints, back, next, more), hint);
+  $('lesson').replaceChildren(list, heading, idea, task, verdict, make('p', {className: 'row'}, hints, anew, back, next, more), hint);
   $('lesson').hidden = false;
   document.documentElement.classList.add('lesson');
 
@@ -34,7 +35,7 @@ function lessonAbout({title, screens, host, stage, asks, open}) {
     const screen = screens[at];
     heading.replaceChildren(...marked(`${at + 1}. ${screen.title}`));
     idea.replaceChildren(...marked(screen.idea));
-    task.replaceChildren(...marked(screen.task));
+    task.replaceChildren(...marked(screen.task + (screen.doing === 'answer' ? ' Press it in the picture.' : '')));
     for (const box of [verdict, hint]) box.replaceChildren();
     back.disabled = at === 0;
     next.hidden = at + 1 === screens.length;
@@ -42,19 +43,24 @@ function lessonAbout({title, screens, host, stage, asks, open}) {
     more.hidden = !screen.page;
     set(more, {href: screen.page, textContent: `More: ${screen.name}`});
     fillDots();
-    hidesWords(at < 2 || screen.doing === 'draw');
+    hidesWords(screen.is_before_search || screen.doing === 'draw');
   }
   const hidesWords = hides => document.documentElement.classList.toggle('untold-steps', hides);  // which tell what is to be drawn, or more than is known yet
 
   function finish() {
     if (verdict.hasChildNodes()) return;
-    hidesWords(false);
+    hidesWords(screens[at].is_before_search);
     hint.replaceChildren();
     done.add(at);
     stored(shop => shop.setItem(shelf, JSON.stringify([...done])));
     verdict.replaceChildren(make('b', {textContent: '✓ Done. '}), ...marked(screens[at].seen));
     next.className = 'strong';
     fillDots();
+    verdict.scrollIntoView({block: 'nearest'});  // on a phone the picture stands below
+  }
+  function say(words) {
+    hint.textContent = words;
+    hint.scrollIntoView({block: 'nearest'});
   }
 
   // A screen begins anew, whatever was done there.
@@ -63,6 +69,7 @@ function lessonAbout({title, screens, host, stage, asks, open}) {
     if (how) history[how](null, '', `#screen-${at + 1}`);
     Object.assign(host, {name: screens[at].name, known: screens[at].name, file: `${screens[at].name.split('/').at(-1)}.json`});
     isOpen = false;
+    host.say('');
     stage.close();
     fill();
     await asks(false);
@@ -76,7 +83,7 @@ function lessonAbout({title, screens, host, stage, asks, open}) {
   }
   function drawn(choice) {
     if (choice !== null) return finish();
-    hint.textContent = 'Not that way. Draw again, or ask for the hint.';
+    say('Not that way. Draw again, or ask for the hint.');
   }
 
   const addressed = () => (location.hash.match(/^#screen-(\d+)$/)?.[1] ?? [...screens.keys(), 0].find(i => !done.has(i)) + 1) - 1;
@@ -85,10 +92,17 @@ function lessonAbout({title, screens, host, stage, asks, open}) {
     title,
     begin: () => go(addressed(), 'replaceState'),
     beside: () => ({screen: at}),
+    // A scene of one's own belongs to the last screen.
+    opened() {
+      at = screens.length - 1;
+      history.replaceState(null, '', `#screen-${at + 1}`);
+      stage.ask(null);
+      fill();
+    },
     told: ({is_done: isDone, story}) => { if (isOpen && isDone && !story.is_brief) finish(); },  // not while one drags
     answered(isRight) {
       if (isRight) finish();
-      else hint.textContent = `Press ${at + 1} above to be asked again.`;
+      else say('Begin again to be asked anew.');
     },
   };
 }

@@ -215,6 +215,7 @@ PageJson lesson_data(const PageSurroundings& around) {
                    {"hint", screen.hint},
                    {"seen", screen.seen},
                    {"doing", names_of_doings[static_cast<int>(screen.doing)]},
+                   {"is_before_search", screen.is_before_search},
                    {"name", screen.walkthrough},
                    {"page", around.page_of(std::string(screen.walkthrough))}});
   return all;

@@ -183,7 +183,7 @@
     try {
       const quizAbout = await loaded('quizAbout', 'quiz.js');
       quiz = asker ??= quizAbout({steps, entry, story, show: stepping.turnTo, entitle, inWords, tellPicture, place: () => at,
-                                  keeps: !stage?.isChanged() && !lesson, answered: isRight => lesson?.answered(isRight),
+                                  keeps: !stage?.isChanged() && !lesson, isToldAbove: Boolean(lesson), answered: isRight => lesson?.answered(isRight),
                                   onPicture: (k, answer) => stage?.ask(k, answer) ?? false});
       quiz.toggle();
     } catch (error) {
@@ -307,6 +307,7 @@
     frame: () => at,
     beside: () => lesson?.beside() ?? {},
     looks: () => ({theme: entry.is_dark || isDark.matches ? 'dark' : 'report', text: story.text_scale}),
+    opened: () => lesson?.opened(),
     pause: () => stepping.go(at, 'stay'),
     say: text => { $('live').textContent = text; },
     changed(answer) {
@@ -344,7 +345,7 @@
     performance.mark('first picture');
     isDark.addEventListener('change', () => stage.draw());
     if (screens) await openLesson(program);
-    else if (sceneOf(hash)) await restore(sceneOf(hash), stepOf(hash));
+    if (sceneOf(hash)) await restore(sceneOf(hash), stepOf(hash));
   }
 
   async function openLesson(program) {
@@ -362,6 +363,7 @@
   const sceneOf = hash => hash.match(/^#scene=([\w-]+)/)?.[1] ?? null;
   async function restore(scene, step = addressed()) {
     try {
+      if (scene) host.opened();
       await stage.restore(scene && await unpacked(scene));
       stepping.turnTo(step, 'stay');
     } catch {

@@ -227,6 +227,12 @@ class Iteration {
            (!line.tests.relation || *line.tests.relation == region.relation);
   }
 
+  /// Of a search in the plane, which is never above or below a triangle.
+  bool leaves_the_plane(const CodeLine& test) const {
+    return telling_.scene.dimension == Dimension::plane && size_ == 3 && test.tests.feature.size() == 3 &&
+           test.tests.relation != Relation::zero;
+  }
+
   /// The rules suppose so, whether or not it is true of this search.
   std::string skipped_because(const Region& region) const {
     return "the search does not look there: " + names_.translate(reason_in_words(region));
@@ -254,7 +260,7 @@ class Iteration {
     std::vector<Choice> choices;
     std::string right;
     for (const CodeLine& line : code_) {
-      if (line.kind != LineKind::test || !line.tests.face.empty()) continue;
+      if (line.kind != LineKind::test || !line.tests.face.empty() || leaves_the_plane(line)) continue;
       Choice choice = choice_of(size_, line.tests, names_.sorted(line.tests.feature));
       if (is_of(line, *chosen_without_face())) right = choice.text;
       if (size_ > 1) choice.aim = aim_of(line.tests.feature, line.tests.relation, choice);
@@ -323,9 +329,12 @@ class Iteration {
     for (std::size_t i = end_; i-- > first_;)
       if (std::get<Region>(events_[i]).face == face.feature) event = i;
     if (event == end_) return std::nullopt;
-    return asked(decision(Kind::region), scene_, event,
-                 "The origin lies above face " + name + ". Projected onto its plane, beyond which edge does it lie?",
-                 std::move(choices), right);
+    auto question =
+        asked(decision(Kind::region), scene_, event,
+              "The origin lies above face " + name + ". Projected onto its plane, beyond which edge does it lie?",
+              std::move(choices), right);
+    if (question) question->tells_before = true;
+    return question;
   }
 
   /// Whether the search goes on, and from where.
@@ -354,7 +363,7 @@ class Iteration {
     const CodeLine* test = nullptr;
     for (const CodeLine& line : code_) {
       if (line.kind == LineKind::test) test = &line;
-      if (!line.way || !test) continue;
+      if (!line.way || !test || leaves_the_plane(*test)) continue;
       const std::string text = words(*line.way);
       Choice choice = text == right ? Choice{text, why} : explained({text}, *test);
       choice.aim = aims(*line.way);

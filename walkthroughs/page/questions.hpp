@@ -55,9 +55,10 @@ struct Question {
   std::size_t event;  ///< of its trace, which answers it; what was told before may be known
   std::string text;
   std::vector<Choice>
-      choices;            ///< in the order of their regions, else of the alphabet, lines in their own; no two alike
-  std::size_t right;      ///< the one of them that is what the trace did
-  std::size_t frame = 0;  ///< that answers it; the one before shows what it is about
+      choices;                ///< in the order of their regions, else of the alphabet, lines in their own; no two alike
+  std::size_t right;          ///< the one of them that is what the trace did
+  bool tells_before = false;  ///< whether its text tells the answer of the one before
+  std::size_t frame = 0;      ///< that answers it; the one before shows what it is about
 };
 
 /// Returns: the questions about the searches of a story, scene by scene in the order of the events: at each crossing

@@ -1,8 +1,8 @@
 'use strict';
 // Asks before each decision what will be found.
 // `keeps`: whether answers outlive the page; those about a changed scene do not.
-// `onPicture(k, answer)`: asks there, too, and returns whether it can; of null no longer. `answered(isRight)`: once the answer is shown.
-function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, place, keeps, onPicture, answered}) {
+// `isToldAbove`: whether what is asked stands above the picture, too. `onPicture(k, answer)`: asks there, too, and returns whether it can; of null no longer. `answered(isRight)`: once the answer is shown.
+function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, place, keeps, isToldAbove, onPicture, answered}) {
   const textOf = place => story.texts[place];
   const questions = story.questions.map(question => (
     {...question, text: textOf(question.text), choices: question.choices.map(choice => choice.map(textOf))}));
@@ -53,7 +53,7 @@ function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, pl
     const isAimed = onPicture(k, c => c === null ? $('verdict').textContent = 'No way on leads there: draw again.' : answer(c));
     $('in-words').open = !isAimed;
     if (isAimed) $('verdict').textContent = questions[k].kind === 'direction' ? 'Draw an arrow in the picture.' : 'Press it in the picture.';
-    $('question').focus();
+    $('question').focus({preventScroll: isAimed && isToldAbove});  // then the picture stays in sight
   }
 
   // The first answer counts. Who is wrong may try once more where that is no sure thing, or look.

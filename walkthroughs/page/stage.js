@@ -485,6 +485,7 @@ function stageOf({ask, asked}, told, host) {
   }
   const needs = () => isChanged() ? `, which draws ${fileName()}.json, the scene file above,` : '';
   const address = async () => `${location.href.split('#')[0]}#scene=${await packed(scene)}&step=${host.frame() + 1}`;
+  const fromDisk = () => location.protocol === 'file:' ? ', to this disk: for others open the page where it is on the web, and copy there,' : '';
   const acts = {
     undo, redo, add: () => addCorner(selected()), remove: () => removeCorner(selected()),
     async reset() {
@@ -496,8 +497,8 @@ function stageOf({ask, asked}, told, host) {
     'save-svg': () => save(`${fileName()}-${host.frame() + 1}.svg`, standalone(), 'image/svg+xml'),
     'save-png': savePng,
     'copy-command': () => copy(command(), `Command${needs()}`),
-    'copy-link': async () => copy(await address(), 'Link'),
-    'copy-frame': async () => copy(`<iframe src="${await address()}" width="1000" height="600" title="${host.name}"></iframe>`, 'Frame'),
+    'copy-link': async () => copy(await address(), `Link${fromDisk()}`),
+    'copy-frame': async () => copy(`<iframe src="${await address()}" width="1000" height="600" title="${host.name}"></iframe>`, `Frame${fromDisk()}`),
   };
   for (const [id, act] of Object.entries(acts)) $(id).addEventListener('click', act);
 
@@ -514,6 +515,7 @@ function stageOf({ask, asked}, told, host) {
     host.name = file.name.replace(/\.[^.]*$/, '');
     host.file = file.name;
     view = {...still};
+    host.opened();
     show(answer, answer.scene ?? {request: {trace: text}});
     kept();
     announce(`${file.name} opened`);
@@ -525,6 +527,9 @@ function stageOf({ask, asked}, told, host) {
     target.value = '';  // so that the same file may be chosen again
   });
 
+  const menus = [...$('taking').querySelectorAll('details')];
+  for (const menu of menus)
+    menu.addEventListener('toggle', () => { if (menu.open) for (const other of menus) other.open &&= other === menu; });
   addEventListener('resize', draw);
   stage.hidden = false;
   document.documentElement.classList.add('live');

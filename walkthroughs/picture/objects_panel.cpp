@@ -108,14 +108,19 @@ void draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown
   draw_object(pencil, scene.b, shown.stage.b, style.object_b_fill, style.object_b);
   draw_crossing(pencil, shown.stage.crossing);
   pencil.triad(canvas, place.frame);
-  const Point d = shown.now.direction->value;
   const Point middle_a = middle_of_object(scene.a, shown.stage.a), middle_b = middle_of_object(scene.b, shown.stage.b);
   if (shown.grips) {
     add_grips(canvas, pencil, placing.scale, "a", scene.a, middle_a);
     add_grips(canvas, pencil, placing.scale, "b", scene.b, middle_b);
-    if (shown.now.processed.size() == 0)
-      add_grip_of_direction(canvas, pencil, placing.scale, shown.now.found ? shown.now.found->a.point : middle_a, d);
   }
+  if (!shown.now.direction) {  // nothing of a search
+    panel.label(pencil.at(middle_a), Vec2::Zero(), "a", style.label(style.object_a.color, render::Weight::bold));
+    panel.label(pencil.at(middle_b), Vec2::Zero(), "b", style.label(style.object_b.color, render::Weight::bold));
+    return canvas.add_crowded(panel.place_labels(style.smallest_label()));
+  }
+  const Point d = shown.now.direction->value;
+  if (shown.grips && shown.now.processed.size() == 0)
+    add_grip_of_direction(canvas, pencil, placing.scale, shown.now.found ? shown.now.found->a.point : middle_a, d);
   if (!shown.now.found) {
     pencil.direction(middle_a, d, style.direction, "d");
     pencil.direction(middle_b, -d, style.direction, "−d");

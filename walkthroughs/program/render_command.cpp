@@ -133,7 +133,7 @@ void add_formats(CLI::App& command, RenderOptions& render) {
                    "write OUT/NAME/handout.pdf as well: the whole search on one page of paper");
   command.add_flag(
       "--quiz", render.quiz,
-      "write OUT/NAME/quiz.pdf as well: a question before each decision, to print, and behind them the answers");
+      "write OUT/NAME/quiz.pdf as well: for each iteration a picture and questions about it, to print, and behind them the answers");
   add_choice(command, "--format", render.format,
              "svg: OUT/NAME/000.svg, 001.svg, ... as well, which stay sharp however much they are enlarged",
              {"png", "svg"});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <utility>
@@ -311,8 +312,7 @@ class Following {
 
   void look_at_end(const std::vector<Outcome>& right, double reach) {
     const bool contains = std::ranges::any_of(right, &Outcome::contains_origin);
-    if (run_.said == gjk::Status::intersecting && !contains && !next_one_contains_origin(right))
-      return blame_simplex(right.front(), "says yes");
+    if (run_.said == gjk::Status::intersecting && !contains) return look_at_yes(right);
     if (run_.said == gjk::Status::intersecting || !run_.said) return;
     if (run_.said == gjk::Status::separated && ended_by_untold_step(right)) return;
     if (run_.said == gjk::Status::separated && at_ > 0 && !is_sure(vertices_.back(), step().direction)) return;
@@ -333,18 +333,43 @@ class Following {
             makers_of_no({}));
   }
 
-  /// The step that ends a search with "yes" may not have been told.
-  bool next_one_contains_origin(const std::vector<Outcome>& right) const {
-    return std::ranges::any_of(right, [&](const Outcome& each) {
-      if (each.contains_origin || !are_same_set(each.kept, told_indices_) || each.kept.size() > 3) return false;
+  /// The step that ends a search with "yes" may not have been told. Returns: what its simplex may be then, if that told last was rightly
+  /// kept.
+  std::vector<Vertices> untold_simplexes(const std::vector<Outcome>& right) const {
+    std::vector<Vertices> all;
+    for (const Outcome& each : right) {
+      if (each.contains_origin || !are_same_set(each.kept, told_indices_) || each.kept.size() > 3) continue;
       Vertices next;
-      for (const int i : each.kept) next.push_back(vertices_[static_cast<std::size_t>(i)]);
+      for (const int i : told_indices_) next.push_back(vertices_[static_cast<std::size_t>(i)]);
       const Vec d = shortened(each.direction);
       const Vec newest = among(differences_.farthest(d, -d), d);
-      if (newest.dot(d) < 0 || differences_.has(next, newest)) return false;
+      if (newest.dot(d) < 0 || differences_.has(next, newest)) continue;
       next.push_back(newest);
-      return std::ranges::any_of(right_outcomes(next), &Outcome::contains_origin);
-    });
+      all.push_back(std::move(next));
+    }
+    return all;
+  }
+
+  /// It says yes, and what it told last does not. Blames what makes that of it, or of the simplex after it.
+  void look_at_yes(const std::vector<Outcome>& right) {
+    const std::vector<Vertices> next = untold_simplexes(right);
+    for (const Vertices& each : next)
+      if (std::ranges::any_of(right_outcomes(each), &Outcome::contains_origin)) return;
+    std::vector<std::size_t> makers;
+    for (std::size_t m = 0; m < mistakes().size(); ++m)
+      if (std::ranges::any_of(next, [m](const Vertices& each) {
+            Indices in_order(each.size());
+            std::iota(in_order.begin(), in_order.end(), 0);
+            return mistakes()[m].process(simplex_of(each, in_order)).contains_origin;
+          }))
+        makers.push_back(m);
+    if (makers.empty()) return blame_simplex(right.front(), "says yes");
+    for (const std::size_t m : makers_of_simplex("says yes").mistakes)
+      if (std::ranges::count(makers, m) == 0) makers.push_back(m);
+    blame(iteration(),
+          "after this step it says yes, which nothing proves: no origin lies in " + told_letters() +
+              ", nor in the simplex with the next point; there " + letters_and_places(vertices_),
+          makers);
   }
 
   double reach_along(const Vec& d) const { return among(differences_.farthest(d, -d), d).dot(d); }

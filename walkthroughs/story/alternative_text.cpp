@@ -126,7 +126,7 @@ std::string alternative_text(const Story& story, std::size_t index) {
   for (const Fact& fact : frame.facts)
     if (!fact.is_in_caption)
       text += std::string("\n") + marks_in_words[static_cast<int>(fact.mark)] + plain(fact.text) +
-              (fact.text.ends_with('.') ? "" : ".");
+              (fact.text.ends_with('.') || fact.text.ends_with('?') ? "" : ".");
   return text;
 }
 

@@ -1,6 +1,7 @@
 #include <simdjson.h>
 
 #include "walkthroughs/text/document_builder.hpp"
+#include "walkthroughs/text/pair_line.hpp"
 
 namespace walkthroughs::text {
 namespace {
@@ -33,18 +34,56 @@ bool tell(DocumentBuilder& builder, const simdjson::dom::element& value) {
 
 constexpr int first_line = 1;
 
+/// Keeps its memory from line to line.
+simdjson::simdjson_result<simdjson::dom::element> parsed(std::string_view text) {
+  static thread_local simdjson::dom::parser parser;
+  return parser.parse(text.data(), text.size());
+}
+
+/// Returns: whether it is a list of numbers, three to a point.
+bool read_points(const simdjson::dom::element& value, Points& points) {
+  simdjson::dom::array list;
+  if (value.get(list) || list.size() == 0 || list.size() > document_limits::elements) return false;
+  points.reserve(list.size());
+  for (const simdjson::dom::element each : list) {
+    simdjson::dom::array coordinates;
+    if (each.get(coordinates) || coordinates.size() != 3) return false;
+    Point& point = points.emplace_back();
+    int axis = 0;
+    for (const simdjson::dom::element coordinate : coordinates)
+      if (!coordinate.is_number() || coordinate.get(point[axis++])) return false;
+  }
+  return true;
+}
+
+bool read_only_member(const simdjson::dom::element& value, std::string_view key, Points& points) {
+  simdjson::dom::object object;
+  return !value.get(object) && object.size() == 1 && object.begin().key() == key &&
+         read_points(object.begin().value(), points);
+}
+
 }  // namespace
+
+std::optional<TwoPointSets> two_point_sets(std::string_view line) {
+  simdjson::dom::object pair;
+  if (parsed(line).get(pair) || pair.size() != 2) return std::nullopt;
+  TwoPointSets sets;
+  auto member = pair.begin();
+  if (member.key() != "a" || !read_only_member(member.value(), "points", sets.a)) return std::nullopt;
+  ++member;
+  if (member.key() != "b" || !read_only_member(member.value(), "points", sets.b)) return std::nullopt;
+  return sets;
+}
 
 /// What simdjson turns away the other parser reads again, for it says why and at which key.
 Document Document::of_line(std::string_view text) {
-  simdjson::dom::parser parser;
   simdjson::dom::element root;
   Document document;
   if (is_blank(text)) {
     document.complain(1, "", "the line is empty");
     return document;
   }
-  if (parser.parse(text.data(), text.size()).get(root)) return Document(text, Comments::refused);
+  if (parsed(text).get(root)) return Document(text, Comments::refused);
   document.nodes_.reserve(64);  // of two tetrahedra: 41
   DocumentBuilder builder(document, first_line);
   if (!tell(builder, root)) document.nodes_.clear();

@@ -64,7 +64,7 @@ TEST_CASE("What is to be done by a change can be done, and something else does n
   };
   const Row rows[] = {
       {"The difference of two objects", moved(-6.5, 0), moved(-5.5, 0)},
-      {"The origin in it", moved(2.5, 3), moved(-1, 0)},
+      {"The origin in it", moved(1.5, 2), moved(-1, 0)},
       {"Support points",
        [](Scene& s) {
          s.options.first_direction = {0, 1, 0};
@@ -74,7 +74,7 @@ TEST_CASE("What is to be done by a change can be done, and something else does n
        }},
       {"Two points", moved(0.5, 0), moved(0, 0)},
       {"The crossing test", moved(10, 0), moved(0.25, 0)},
-      {"Touching", moved(4, -1), moved(2.5, 3)},
+      {"Touching", moved(2.5, -2.5), moved(0.5, 0)},
       {"A search that goes round", [](Scene& s) { s.rules = RuleSet::complete; },
        [](Scene& s) { s.rules = RuleSet::as_printed; }},
       {"Rounding, and certified answers", [](Scene& s) { s.certified = true; }, [](Scene&) {}},

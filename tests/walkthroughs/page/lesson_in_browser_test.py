@@ -116,6 +116,29 @@ class Page(PageInBrowser):
         self.browser.back()
         self.wait(lambda: self.find("#screen").text.startswith("2."))
 
+    def test_begins_again_after_a_question_was_passed(self):
+        self.begin(7)
+        for _ in range(3):
+            self.press(Keys.ARROW_RIGHT)
+            self.find("#onward").click() if self.find("#onward").is_displayed() else None
+        self.wait(lambda: not self.all(".aim"))
+        self.button("Begin again").click()
+        self.wait(lambda: self.all(".aim"))
+        self.aim("below").click()
+        self.wait(self.is_done)
+
+    def test_a_scene_of_ones_own_belongs_to_the_last_screen(self):
+        self.begin(3)
+        (self.out / "own.json").write_text('{"a": {"points": [[0, 0], [1, 0]]}, "b": {"points": [[0, 1], [3, 1]]}}')
+        self.find("#open-file").send_keys(str(self.out / "own.json"))
+        self.wait(lambda: self.find("#screen").text.startswith("12."))
+        self.assertIn("apart", self.find("#answers").text)
+        link = self.browser.execute_async_script("packed({a: {points: [[0, 0]]}, b: {points: [[0, 0]]}, dimension: 2}).then(arguments[0])")
+        self.open("figure-1")
+        self.open("lesson", f"#scene={link}&step=1")
+        self.wait(lambda: self.find("#screen").text.startswith("12."))
+        self.wait(lambda: "together" in self.find("#answers").text)
+
     def test_screens_fit(self):
         for width, height in [(1366, 768), (390, 844)]:
             self.look(width, height)

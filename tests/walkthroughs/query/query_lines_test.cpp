@@ -82,4 +82,37 @@ TEST_CASE("Memory does not grow with a line that is too long") {
   CHECK(growth_of_heap(std::string(1 << 20, ' '), 200) < 3 * query_limits::line);
 }
 
+/// What is asked for most has a reader of its own. A name makes the line one for the other reader, and changes no answer.
+TEST_CASE("Two sets of points are answered as any other line is, complaints included") {
+  const char* sets[] = {"[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]",
+                        "[[0.25,0.25,0.25],[2,2,2]]",
+                        "[[-0.0,1e-300,5],[18446744073709551615,-3,0.1]]",
+                        "[[1e200,0,0]]",
+                        "[[1e39,0,0],[0,1,0]]",
+                        "[[0,0],[1,1]]",
+                        "[[0,0,0,0]]",
+                        "[]",
+                        "[[0,0,\"0\"]]",
+                        "[[0,0,null]]",
+                        "[0,0,0]",
+                        "{}"};
+  const auto line = [](const std::string& a, const std::string& b, const std::string& name) {
+    return R"({"a":{)" + name + R"("points":)" + a + R"(},"b":{"points":)" + b + "}}";
+  };
+  for (const QueryEvidence evidence :
+       {QueryEvidence::of_the_search, QueryEvidence::certificate, QueryEvidence::fractions})
+    for (const QueryScalar scalar : {QueryScalar::binary64, QueryScalar::binary32})
+      for (const char* a : sets)
+        for (const char* b : sets) {
+          QueryOptions options;
+          options.evidence = evidence;
+          options.scalar = scalar;
+          std::string usual, named;
+          answer_line(line(a, b, ""), 7, options, usual);
+          answer_line(line(a, b, R"("name":"one",)"), 7, options, named);
+          CAPTURE(a, b);
+          CHECK(usual == named);
+        }
+}
+
 }  // namespace query_lines_test
