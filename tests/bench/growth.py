@@ -70,11 +70,11 @@ def plot(curves):
 def main(program, of_points):
     curves, memory = {}, {}
     for line in subprocess.run([of_points], capture_output=True, text=True, check=True).stdout.splitlines():
-        name, n, seconds = line.split(",")
+        name, n, seconds = line.rsplit(",", 2)
         curves.setdefault(name, []).append((int(n), float(seconds)))
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        for name, sizes, run in (("frames, drawn at 160x90", [10, 100, 1000, 10000], frames),
+        for name, sizes, run in (("frames, drawn at 160x90", [10, 30, 100, 300, 1000], frames),
                                  ("pairs, certified query", [1, 100, 10000, 100000, 1000000], pairs)):
             for n in sizes:
                 seconds, most = run(program, folder, n)
