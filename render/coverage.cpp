@@ -91,7 +91,9 @@ Polygon cell_of(std::size_t index, const std::vector<Ramp>& ramps, const Box& bo
   };
   Polygon cell = clip(bounds.corners(), ramps[index]);
   for (std::size_t other = 0; other < ramps.size() && !cell.empty(); ++other) {
-    if (other != index) cell = clip(cell, ramps[other] - ramps[index]);
+    const Ramp above = ramps[other] - ramps[index];
+    const bool is_cut = std::ranges::any_of(cell, [&](const Vec2& p) { return above.at(p) < 0; });
+    if (other != index && is_cut) cell = clip(cell, above);  // most do not cut
   }
   return cell;
 }

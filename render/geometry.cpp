@@ -61,6 +61,7 @@ std::optional<Interval> clip_segment(const Vec2& from, const Vec2& to, const Box
 // Sutherland and Hodgman (1974), for one edge.
 std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Vec2& gradient, double offset) {
   std::vector<Vec2> kept;
+  kept.reserve(polygon.size() + 1);  // of a convex one
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
     const double at_from = gradient.dot(from) + offset, at_to = gradient.dot(to) + offset;

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <string>
+#include <string_view>
 
 #include "render/triangles.hpp"
 
@@ -19,38 +21,31 @@ layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 uv_in;
 layout(location = 2) in vec2 shape_in;
 layout(location = 3) in vec4 color_in;
-layout(location = 4) in uint kind_in;
 out vec2 uv;
 flat out vec2 shape;
 flat out vec4 color;
-flat out uint kind;
 void main() {
   gl_Position = vec4(position * pixels_to_clip - 1.0, 0.0, 1.0);
   uv = uv_in;
   shape = shape_in;
   color = color_in;
-  kind = kind_in;
 }
 )";
 
 // Only operations whose result IEEE 754 fixes (so no pow, exp, sin): the picture must not depend on a math library.
-// `kind` counts like CanvasVertex::Kind.
+// Each kind of vertex has a program of its own: software renderers compute all ways of a branch.
+constexpr std::string_view coverages[] = {  // in the order of CanvasVertex::Kind
+    "uv.x", "0.5 + shape.y - length_of(vec2(max(abs(uv.x) - shape.x, 0.0), uv.y))",
+    "0.5 + shape.y - abs(length_of(uv) - shape.x)", "texelFetch(atlas, ivec2(uv), 0).r"};
 constexpr const char* fragment_source = R"(#version 330 core
 uniform sampler2D atlas;
 in vec2 uv;
 flat in vec2 shape;  // half length, radius
 flat in vec4 color;
-flat in uint kind;
 out vec4 pixel;
 float length_of(vec2 v) { return sqrt(v.x * v.x + v.y * v.y); }
-float coverage() {
-  if (kind == 0u) return uv.x;
-  if (kind == 1u) return 0.5 + shape.y - length_of(vec2(max(abs(uv.x) - shape.x, 0.0), uv.y));
-  if (kind == 2u) return 0.5 + shape.y - abs(length_of(uv) - shape.x);
-  return texelFetch(atlas, ivec2(uv), 0).r;
-}
 void main() {
-  pixel = vec4(color.rgb, color.a * clamp(coverage(), 0.0, 1.0));
+  pixel = vec4(color.rgb, color.a * clamp(COVERAGE, 0.0, 1.0));
 }
 )";
 
@@ -116,7 +111,6 @@ struct Gl {
   PFNGLBUFFERDATAPROC buffer_data = load("glBufferData");
   PFNGLENABLEVERTEXATTRIBARRAYPROC enable_vertex_attrib_array = load("glEnableVertexAttribArray");
   PFNGLVERTEXATTRIBPOINTERPROC vertex_attrib_pointer = load("glVertexAttribPointer");
-  PFNGLVERTEXATTRIBIPOINTERPROC vertex_attrib_i_pointer = load("glVertexAttribIPointer");
   PFNGLCLEARCOLORPROC clear_color = load("glClearColor");
   PFNGLCLEARPROC clear = load("glClear");
   PFNGLDRAWARRAYSPROC draw_arrays = load("glDrawArrays");
@@ -156,7 +150,7 @@ struct Rasterizer::Impl {
     gl.bind_texture(GL_TEXTURE_2D, new_object(gl.gen_textures));
     describe_vertices();
     set_state();
-    link_program();
+    link_programs();
   }
 
   // -- Set up --
@@ -172,8 +166,6 @@ struct Rasterizer::Impl {
     floats(2, offsetof(CanvasVertex, half_length));
     gl.enable_vertex_attrib_array(3);
     gl.vertex_attrib_pointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, byte_offset(offsetof(CanvasVertex, color)));
-    gl.enable_vertex_attrib_array(4);
-    gl.vertex_attrib_i_pointer(4, 1, GL_UNSIGNED_INT, stride, byte_offset(offsetof(CanvasVertex, kind)));
   }
 
   void set_state() {
@@ -188,26 +180,35 @@ struct Rasterizer::Impl {
     gl.tex_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
 
-  void attach(GLenum type, const char* source) {
+  void attach(GLuint program, GLenum type, const std::string& source) {
     const GLuint shader = gl.create_shader(type);
-    gl.shader_source(shader, 1, &source, nullptr);
+    const char* text = source.c_str();
+    gl.shader_source(shader, 1, &text, nullptr);
     gl.compile_shader(shader);  // what is wrong with it shows when the program is linked
     gl.attach_shader(program, shader);
   }
 
-  void link_program() {
-    attach(GL_VERTEX_SHADER, vertex_source);
-    attach(GL_FRAGMENT_SHADER, fragment_source);
+  void link_programs() {
+    for (std::size_t kind = 0; kind < programs.size(); ++kind) {
+      programs[kind] = gl.create_program();
+      std::string fragments = fragment_source;
+      const std::string_view place = "COVERAGE";
+      fragments.replace(fragments.find(place), place.size(), coverages[kind]);
+      attach(programs[kind], GL_VERTEX_SHADER, vertex_source);
+      attach(programs[kind], GL_FRAGMENT_SHADER, fragments);
+      link(programs[kind]);
+    }
+    check_errors("set up");
+  }
+
+  void link(GLuint program) {
     gl.link_program(program);
     GLint linked = GL_FALSE;
     gl.get_program(program, GL_LINK_STATUS, &linked);
-    if (linked != GL_TRUE) {
-      std::array<GLchar, 2000> log{};
-      gl.get_program_info_log(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
-      throw ContextError(std::string("the shader does not link: ") + log.data() + suspects());
-    }
-    gl.use_program(program);
-    check_errors("set up");
+    if (linked == GL_TRUE) return;
+    std::array<GLchar, 2000> log{};
+    gl.get_program_info_log(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    throw ContextError(std::string("the shader does not link: ") + log.data() + suspects());
   }
 
   // -- Drawing --
@@ -223,8 +224,11 @@ struct Rasterizer::Impl {
       throw ContextError("no framebuffer of " + describe(wanted) + ": " + name_of(status) + suspects());
     }
     gl.viewport(0, 0, wanted.width, wanted.height);
-    gl.uniform2f(gl.get_uniform_location(program, "pixels_to_clip"), 2.0f / static_cast<float>(wanted.width),
-                 2.0f / static_cast<float>(wanted.height));
+    for (const GLuint program : programs) {
+      gl.use_program(program);
+      gl.uniform2f(gl.get_uniform_location(program, "pixels_to_clip"), 2.0f / static_cast<float>(wanted.width),
+                   2.0f / static_cast<float>(wanted.height));
+    }
     size = wanted;
   }
 
@@ -247,7 +251,17 @@ struct Rasterizer::Impl {
       const int end = i + 1 < runs.size() ? runs[i + 1].first : static_cast<int>(vertices.size());
       if (end == run.first || run.right <= run.left || run.bottom <= run.top) continue;
       gl.scissor(run.left, run.top, run.right - run.left, run.bottom - run.top);
-      gl.draw_arrays(GL_TRIANGLES, run.first, end - run.first);
+      draw(vertices, run.first, end);
+    }
+  }
+
+  /// Vertices of one kind after the other, in their order.
+  void draw(const std::vector<CanvasVertex>& vertices, int first, int end) {
+    const auto kind = [&](int i) { return static_cast<std::size_t>(vertices[static_cast<std::size_t>(i)].kind); };
+    for (int next = first; first < end; first = next) {
+      while (next < end && kind(next) == kind(first)) ++next;
+      gl.use_program(programs[kind(first)]);
+      gl.draw_arrays(GL_TRIANGLES, first, next - first);
     }
   }
 
@@ -265,7 +279,8 @@ struct Rasterizer::Impl {
   }
 
   Gl gl;
-  GLuint pixels = new_object(gl.gen_renderbuffers), program = gl.create_program();
+  GLuint pixels = new_object(gl.gen_renderbuffers);
+  std::array<GLuint, std::size(coverages)> programs{};
   Size size;  // of `pixels`
 };
 
