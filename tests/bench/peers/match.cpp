@@ -70,19 +70,6 @@ std::vector<std::size_t> raced(const std::vector<study::Pair>& pairs) {
   return positions;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Time that this process has had the processor, in nanoseconds: what others do on the machine does not count.
-double processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-}
-
 /// One contender's part of the race.
 struct Runner {
   Batch& batch;
@@ -118,6 +105,18 @@ std::size_t lost(const std::vector<Runner>& runners, const std::vector<Contender
 }
 
 }  // namespace
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
+}
 
 Match play(const study::Family& family, const std::vector<Contender>& contenders, const MatchSettings& settings) {
   const std::vector<study::Pair> pairs = pairs_of(family, settings);

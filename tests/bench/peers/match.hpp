@@ -37,6 +37,12 @@ struct MatchSettings {
 /// So many corners of all pairs together, of 24 bytes each, stay in the cache of a core while they are timed.
 inline constexpr std::size_t corners_raced = std::size_t(1) << 14;
 
+/// Of one number at least.
+double median(std::vector<double> values);
+
+/// Time that this process has had the processor, in nanoseconds: what others do on the machine does not count.
+double processor_time();
+
 Match play(const study::Family& family, const std::vector<Contender>& contenders, const MatchSettings& settings);
 
 /// The shapes that the aim is about: triangles, tetrahedra, boxes, hulls of 32 and of 256 points.

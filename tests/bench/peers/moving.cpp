@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -169,18 +168,8 @@ std::vector<Mover> movers() {
 
 // -- The race ----------------------------------------------------------------------------------------------------------
 
-double processor_time() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
-}
-
-struct Score {
+/// Of one mover.
+struct Race {
   std::vector<double> nanoseconds = {};  ///< a query, one of each turn
   std::size_t otherwise = 0;             ///< answers that are not the certified one
 };
@@ -202,7 +191,7 @@ std::vector<Track> tracks_of(const study::Family& family, double step) {
 void play(const study::Family& family, const std::string& pace, double step) {
   const std::vector<Track> tracks = tracks_of(family, step);
   const std::vector<Mover> all = movers();
-  std::vector<Score> scores(all.size());
+  std::vector<Race> scores(all.size());
   std::size_t together = 0;
   for (const Track& track : tracks) {
     std::vector<Answer> truth;
