@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "walkthroughs/text/pair_line.hpp"
 
@@ -20,26 +21,24 @@ bool hold(const Space& space, const Points& points) {
       points, [&](const Point& p) { return std::ranges::all_of(p, [&](double x) { return space.holds(x); }); });
 }
 
-/// Of most lines: two sets of points. Others are read with their complaints.
-std::optional<PairAsWritten> read_points(std::string_view line, const Space& space) {
-  std::optional<TwoPointSets> sets = two_point_sets(line);
-  if (!sets || !hold(space, sets->a) || !hold(space, sets->b)) return std::nullopt;
-  PairAsWritten pair;
-  pair.a.form = std::move(sets->a);
-  pair.b.form = std::move(sets->b);
-  return pair;
-}
-
 }  // namespace
 
 Reading<PairAsWritten> read_pair(std::string_view line, const QueryOptions& query) {
   if (line.find_first_not_of(" \t\r") == std::string_view::npos)
     return {{}, Complaint{1, "", "the line is blank; give a pair {\"a\": …, \"b\": …}, or leave the line out"}};
-  const Space usual{Dimension::space, TwoNumbers::lie_in_the_plane, query.scalar, magnitudes_of(query.evidence)};
-  if (auto points = read_points(line, usual)) return {std::move(*points), {}};
-  const Document document = Document::of_line(line);
-  const Value root = document.root();
+  std::variant<TwoPointSets, Document> read = pair_of_line(line);
   PairAsWritten pair;
+  if (auto* sets = std::get_if<TwoPointSets>(&read)) {
+    const Space space{Dimension::space, TwoNumbers::lie_in_the_plane, query.scalar, magnitudes_of(query.evidence)};
+    if (hold(space, sets->a) && hold(space, sets->b)) {
+      pair.a.form = std::move(sets->a);
+      pair.b.form = std::move(sets->b);
+      return {std::move(pair), {}};
+    }
+    read = Document::of_line(line);  // which says where
+  }
+  const Document& document = std::get<Document>(read);
+  const Value root = document.root();
   if (expect_scene_or_pair(root, "an object { ... } with 'a' and 'b'")) {
     const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, query.scalar, magnitudes_of(query.evidence)};
     pair.a = read_object(required(root, "a", "give the first object"), space);

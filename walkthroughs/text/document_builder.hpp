@@ -41,6 +41,11 @@ class DocumentBuilder {
     return true;
   }
 
+  /// Returns: a document of which nothing has been found.
+  static Document empty_document() { return {}; }
+  /// Drops what was found.
+  void forget() { document_.nodes_.clear(); }
+
   /// Complains about the value that would come next. Returns: that the parser is to stop.
   bool fail(const std::string& reason) const {
     document_.complain(line_, place_of_next_value(), reason);

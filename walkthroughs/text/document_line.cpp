@@ -62,11 +62,9 @@ bool read_only_member(const simdjson::dom::element& value, std::string_view key,
          read_points(object.begin().value(), points);
 }
 
-}  // namespace
-
-std::optional<TwoPointSets> two_point_sets(std::string_view line) {
+std::optional<TwoPointSets> two_point_sets(const simdjson::simdjson_result<simdjson::dom::element>& line) {
   simdjson::dom::object pair;
-  if (parsed(line).get(pair) || pair.size() != 2) return std::nullopt;
+  if (line.get(pair) || pair.size() != 2) return std::nullopt;
   TwoPointSets sets;
   auto member = pair.begin();
   if (member.key() != "a" || !read_only_member(member.value(), "points", sets.a)) return std::nullopt;
@@ -76,17 +74,27 @@ std::optional<TwoPointSets> two_point_sets(std::string_view line) {
 }
 
 /// What simdjson turns away the other parser reads again, for it says why and at which key.
-Document Document::of_line(std::string_view text) {
+Document document_of(std::string_view text, const simdjson::simdjson_result<simdjson::dom::element>& line) {
   simdjson::dom::element root;
-  Document document;
-  if (is_blank(text)) {
-    document.complain(1, "", "the line is empty");
-    return document;
-  }
-  if (parsed(text).get(root)) return Document(text, Comments::refused);
-  document.nodes_.reserve(64);  // of two tetrahedra: 41
+  if (line.get(root)) return Document(text, Document::Comments::refused);
+  Document document = DocumentBuilder::empty_document();
   DocumentBuilder builder(document, first_line);
-  if (!tell(builder, root)) document.nodes_.clear();
+  if (!tell(builder, root)) builder.forget();
+  return document;
+}
+
+}  // namespace
+
+std::variant<TwoPointSets, Document> pair_of_line(std::string_view text) {
+  const auto line = parsed(text);
+  if (std::optional<TwoPointSets> sets = two_point_sets(line)) return std::move(*sets);
+  return is_blank(text) ? Document::of_line(text) : document_of(text, line);
+}
+
+Document Document::of_line(std::string_view text) {
+  if (!is_blank(text)) return document_of(text, parsed(text));
+  Document document;
+  document.complain(1, "", "the line is empty");
   return document;
 }
 

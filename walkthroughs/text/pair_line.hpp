@@ -1,10 +1,11 @@
 /// The line that a query reads most: two sets of points.
 #pragma once
 
-#include <optional>
 #include <string_view>
+#include <variant>
 
 #include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/text/document.hpp"
 
 namespace walkthroughs::text {
 
@@ -12,8 +13,8 @@ struct TwoPointSets {
   Points a, b;
 };
 
-/// Returns: the points of {"a":{"points":[[x,y,z],…]},"b":{"points":[…]}}, read several times as fast as a document. Nothing where the
-/// line holds anything else, or anything that somebody might object to but for the size of numbers: Document::of_line() says what.
-std::optional<TwoPointSets> two_point_sets(std::string_view line);
+/// Returns: the points of {"a":{"points":[[x,y,z],…]},"b":{"points":[…]}}, read several times as fast as a document. A document where
+/// the line holds anything else, or anything that somebody might object to but for the size of numbers.
+std::variant<TwoPointSets, Document> pair_of_line(std::string_view text);
 
 }  // namespace walkthroughs::text
