@@ -93,7 +93,7 @@ TEST_CASE("The nearest point is that of all sub-simplices, and the difference of
   for (int i = 0; i < 400; ++i) {
     const double size = i % 4 == 0 ? 1e-60 : i % 4 == 1 ? 1e60 : 1;
     const bool in_plane = dice.coin();
-    const auto point = [&] {
+    const auto point = [&]() -> Point {
       return Point(dice.between(-3, 3), dice.between(-3, 3), in_plane ? 0 : dice.between(-3, 3)) * size;
     };
     std::vector<std::pair<Point, Point>> vertices;
