@@ -7,11 +7,20 @@
 # libminizip-dev: pages and pictures in one file for --zip.
 # libfribidi-dev: titles and names in Hebrew and Arabic run from right to left.
 # clang, lld, libc++ and wasi-libc: the program that runs in pages; binaryen makes it smaller.
-llvm=$([ "$(. /etc/os-release && echo "${VERSION_ID:-}")" = 12 ] && echo 16 || echo 19)
-program_packages="cmake g++ ninja-build pkg-config libeigen3-dev libosmesa6-dev libegl-dev libegl-mesa0 libgl-dev \
+native_packages="cmake g++ ninja-build pkg-config libeigen3-dev libosmesa6-dev libegl-dev libegl-mesa0 libgl-dev \
 libpng-dev libdeflate-dev libfreetype-dev fonts-dejavu-core nlohmann-json3-dev libsimdjson-dev libcli11-dev \
-libfribidi-dev libcairo2-dev libminizip-dev libboost-dev clang-$llvm lld-$llvm wasi-libc libc++-$llvm-dev-wasm32 libc++abi-$llvm-dev-wasm32 \
-libclang-rt-$llvm-dev-wasm32 binaryen"
+libfribidi-dev libcairo2-dev libminizip-dev libboost-dev"
+
+debian=$(. /etc/os-release && echo "${VERSION_ID:-}")
+
+# What compiles the program in pages on that Debian: live_packages 13.
+live_packages() {
+  llvm=19
+  [ "$1" != 12 ] || llvm=16
+  echo "clang-$llvm lld-$llvm wasi-libc libc++-$llvm-dev-wasm32 libc++abi-$llvm-dev-wasm32 libclang-rt-$llvm-dev-wasm32 binaryen"
+}
+
+program_packages="$native_packages $(live_packages "$debian")"
 
 stop() {
   printf '%s: %s\n' "$0" "$1" >&2

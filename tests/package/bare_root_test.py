@@ -4,7 +4,7 @@ system that holds nothing but Debian's essential packages and apt.
     GJKSTEP_BARE_ROOT=1 python3 bare_root_test.py BUILD_FOLDER CMAKE        # takes a minute or two and the network
     GJKSTEP_BARE_ROOT=build python3 bare_root_test.py BUILD_FOLDER CMAKE    # builds the package there as well
 
-Says "skipped: " and why where that cannot be. Packages come from where those of this machine come from.
+Says "skipped: " and why where that cannot be, and ends with 77. Packages come from where those of this machine come from.
 """
 import importlib.util
 import os
@@ -89,7 +89,8 @@ def provide_gjkstep(root):
 
 def main():
     if reason := why_not():
-        return print(f"skipped: {reason}")
+        print(f"skipped: {reason}")
+        sys.exit(77)
     with tempfile.TemporaryDirectory(prefix="gjkstep-bare-") as folder:
         root = roots.make(pathlib.Path(folder), roots.this_release())
         shutil.copytree(here / "pictures", root / "project")

@@ -63,7 +63,7 @@ def done(what, *words):
 
 def make(folder, release, packages=()):
     """A new root in `folder`. Where `release` is another, its packages come from the same servers. Says "skipped: " and ends the
-    program where there is no network."""
+    program with 77 where there is no network."""
     lists = folder / "sources"
     lists.mkdir(parents=True)
     for file in sources():
@@ -73,7 +73,7 @@ def make(folder, release, packages=()):
     code, said, seconds = run("mmdebstrap", "--mode=root", "--variant=apt", *include, release, root, *sorted(lists.iterdir()))
     if code != 0 and re.search("Temporary failure resolving|Could not (resolve|connect)|Network is unreachable", said):
         print("skipped: the servers of Debian's packages cannot be reached")
-        sys.exit()
+        sys.exit(77)
     print(f"made a root of {release}: {seconds:.0f} s", flush=True)
     if code != 0:
         sys.exit(f"mmdebstrap ended with {code}:\n{said}")

@@ -107,7 +107,8 @@ Panels panels_in(const Value& list);
 template <class S>
 struct InScalar : Cast<S> {
   gjk::Vec3<S> direction(const Point& d) const {
-    const int exponent = std::same_as<S, float> ? std::ilogb(d.cwiseAbs().maxCoeff()) : 0;
+    const double largest = d.cwiseAbs().maxCoeff();
+    const int exponent = std::same_as<S, float> && largest > 0 ? std::ilogb(largest) : 0;
     return this->point(d.unaryExpr([=](double x) { return std::scalbn(x, -exponent); }));
   }
 };
