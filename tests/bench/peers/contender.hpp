@@ -40,6 +40,7 @@ struct Contender {
   std::string how;   ///< version, call and settings, for the table's foot
   std::unique_ptr<Batch> (*prepare)(const std::vector<study::Pair>& pairs);
   bool is_peer = true;      ///< somebody else's
+  bool borrows = false;     ///< a peer that is given our support function
   std::string proves = {};  ///< the name of the contender that guesses what this one proves; empty: it proves nothing
 };
 

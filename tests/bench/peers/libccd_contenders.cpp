@@ -81,8 +81,10 @@ std::vector<Contender> libccd_contenders() {
   return {
       {"libccd GJK", version + "`ccdGJKIntersect`" + limit + simple, batch_of<Query<ccdGJKIntersect, Scan::simple>>},
       {"libccd MPR", version + "`ccdMPRIntersect`" + no_limit + simple, batch_of<Query<ccdMPRIntersect, Scan::simple>>},
-      {"libccd MPR, our support", "the same with the support function of `core/shapes.hpp`",
-       batch_of<Query<ccdMPRIntersect, Scan::gjkstep>>}};
+      {.name = "libccd MPR, our support",
+       .how = "the same with the support function of `core/shapes.hpp`",
+       .prepare = batch_of<Query<ccdMPRIntersect, Scan::gjkstep>>,
+       .borrows = true}};
 }
 
 }  // namespace peers
