@@ -52,8 +52,8 @@ struct PngText {
   std::string description;
 };
 
-/// Returns: `image` as a PNG file. 8-bit RGB, compression level 6, PNG_FILTER_NONE: of the settings that were tried the
-/// smallest files for pictures of lines and flat areas (tests/bench/render_bench.cpp has the numbers).
+/// Returns: `image` as a PNG file. 8-bit RGB, compression level 6, no filter: of the settings that were tried the
+/// smallest files for pictures of lines and flat areas (see tests/bench/render_bench.cpp).
 /// Errors: FileError, also where the picture is larger than max_image_side.
 std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text);
 

@@ -1,32 +1,15 @@
 /// What does a picture cost? At 1280x720: the start of the OpenGL context, the first frame, then each frame split into
-/// laying out (captions, labels, triangles), drawing, with reading back, and PNG. Medians; milliseconds. And the whole program:
+/// laying out (captions, labels, triangles), drawing, with reading back, and PNG. Medians; milliseconds. Then the first frame of
+/// many points. frames.md has what the whole program takes, growth.md what many frames take.
 ///
 ///     build/gjkstep-render-bench
-///     /usr/bin/time -f "%e s, %M kB" build/gjkstep render --all --out pictures
 ///
-/// On two processors (Debian 12, llvmpipe of Mesa 22.3.6): context 8 ms, first frame 14 ms; a frame in the plane
-/// (figure-4-left) 0.6 to lay out, 4.4 to draw, 10.6 as PNG; one in space (regions/2-simplex-r1-above)
-/// 0.7, 4.5, 10.8. All 932 pictures 11.1 s, of which libpng alone takes 9.8. Memory 96 MB for 3 pictures, 107 MB for all.
-///
-/// First frame of two sets of 1,250, 10,000 and 100,000 points: on a ball 18, 40, 229 ms; in a ball 98, 78, 405, as few
-/// enough corners have faces; on a circle 14, 26, 127. The growth is that of reading and searching them.
-///
-/// What was tried, on the first 39 pictures:
-///  * Writing on a second thread while the next picture is drawn: 634 ms become 438, and PNG is all that is left to wait
-///    for. So drawing was left as it is: sending the atlas again with each picture costs nothing that can be measured, an
-///    empty picture 0.2 ms, one rectangle over all of it 3.5, because translucent and opaque areas are blended alike.
-///  * LP_NUM_THREADS 0, 1, 2: 423, 439, 437 ms. Left to Mesa.
-///  * Reading back: RGB 0.51 ms; RGBA 0.52 and BGRA 0.71, each with the copy that drops alpha.
-///  * PNG by zlib, milliseconds and kilobytes for a frame, without filter unless one is named. At 640x360 level 6 takes 3.0 ms and
-///    32 kB, level 4 2.3 ms and 35 kB, "up" with level 4 2.4 ms and 37 kB. At 1280x720:
-///
-///        level 9  60.7  69    level 4   7.2  83    "up", level 6  9.8  79    filter chosen by libpng, level 6  19.2   81
-///        level 6   9.7  78    level 3   4.4  92    "up", level 4  7.5  80    Z_FIXED                            9.8   90
-///        level 5   7.6  81    level 1   4.1 100    "up", level 1  4.8  93    Z_RLE                              5.2  246
-///
-///    Level 6 without filter makes the smallest small pictures and stays. More memory for zlib changes nothing. libdeflate makes
-///    the same sizes at level 6, and all walkthroughs take 37 s of processor for 50. There is no palette: anti-aliased pictures
-///    have 400 to 2200 colours.
+/// What was tried, and is not worth its code:
+///  * The atlas kept by OpenGL from picture to picture, RGBA read back in place of RGB, other numbers of threads for Mesa: no
+///    difference that can be measured.
+///  * Filters of PNG, also as libpng chooses them: files as large or larger, later. There is no palette: anti-aliased pictures
+///    have 400 to 3,000 colours.
+///  * Level 5 of libdeflate: an eighth sooner, files 3 in 100 larger.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
