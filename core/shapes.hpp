@@ -120,11 +120,15 @@ class PointSet {
   /// Errors: std::invalid_argument where `points` is empty.
   explicit PointSet(std::vector<Vec3<S>> points) : points_(std::move(points)), blocks_(points_) {
     if (points_.empty()) throw std::invalid_argument("a point set needs at least one point");
-    for (const Vec3<S>& p : points_) extent_ = extent_.cwiseMax(p).cwiseMax(-p);  // of scalars without abs(), too
-    if constexpr (std::floating_point<S>) {
-      for (const Vec3<S>& p : points_) mean_ += p;
-      mean_ /= static_cast<S>(points_.size());
+    // In one loop of numbers that do not wait for each other: sets that move are made anew each frame.
+    Vec3<S> least = Vec3<S>::Zero(), most = Vec3<S>::Zero(), sum = Vec3<S>::Zero();
+    for (const Vec3<S>& p : points_) {
+      least = least.cwiseMin(p);
+      most = most.cwiseMax(p);
+      if constexpr (std::floating_point<S>) sum += p;
     }
+    extent_ = most.cwiseMax(-least);  // of scalars without abs(), too
+    if constexpr (std::floating_point<S>) mean_ = sum / static_cast<S>(points_.size());
   }
 
   /// Eq. 5: the point P with P·d >= Q·d for all Q. Among equals the first in the list.
@@ -183,7 +187,7 @@ class PointSet {
   static S reach(const Vec3<S>& p, const Vec3<S>& d) { return p.x() * d.x() + (p.y() * d.y() + p.z() * d.z()); }
 
   std::vector<Vec3<S>> points_;
-  Vec3<S> extent_ = Vec3<S>::Zero(), mean_ = Vec3<S>::Zero();
+  Vec3<S> extent_, mean_ = Vec3<S>::Zero();
   detail::PointBlocks<S> blocks_;
   std::shared_ptr<const detail::DirectionCells<S>> cells_;  ///< once it is prepared
 };
