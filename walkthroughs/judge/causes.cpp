@@ -248,7 +248,7 @@ class Search {
          "all " + std::to_string(wrong_) +
              " wrong answers looked at are near contact, have numbers beyond 1e±9, or mislead the "
              "report's algorithm, too" +
-             (in_floats ? "; doubles would tell " + std::to_string(beyond) + " of them" : "; no line seems wrong"),
+             (in_floats ? "; doubles would tell " + std::to_string(beyond) + " of them" : ""),
          1, "", in_floats ? "--numbers float" : "--tolerance 1e-9", Cause::rounding});
   }
 

@@ -56,9 +56,9 @@ class Looking {
   }
 
   StepsLooked take_all() {
-    const auto most = std::ranges::max_element(looked_.by_mistake);
-    if (looked_.wrong > looked_.repaired &&
-        static_cast<double>(*most) >= enough_agreement * static_cast<double>(looked_.wrong))
+    const auto agreement = [this](const StepsLooked::Mistake& one) { return looked_.agreement_of(one); };
+    const auto most = std::ranges::max_element(looked_.by_mistake, {}, agreement);
+    if (looked_.wrong > looked_.repaired && agreement(*most) >= enough_agreement)
       looked_.mistake = static_cast<std::size_t>(most - looked_.by_mistake.begin());
     std::ranges::stable_sort(looked_.found, {}, [this](const LookedSearch& each) {
       const StepFinding* const wrong = first_wrong(each.findings);
@@ -102,9 +102,10 @@ class Looking {
     if (const StepFinding* const first = first_wrong(findings); first && first->kind == StepFinding::wrong) {
       ++looked_.wrong;
       looked_.repaired += is_right;
-      for (const std::size_t m : first->mistakes) ++looked_.by_mistake[m];
-    } else if (first) {
-      ++looked_.rounding;
+      for (const std::size_t m : first->mistakes) ++looked_.by_mistake[m].made;
+    } else {
+      looked_.rounding += first != nullptr;
+      for (const std::size_t m : mistakes_not_made(told)) ++looked_.by_mistake[m].not_made;
     }
     if (!findings.empty()) looked_.found.push_back({std::move(told), std::move(findings), is_right});
   }
@@ -134,6 +135,11 @@ const LookedSearch* StepsLooked::shown() const {
   };
   const auto first = std::ranges::find_if(found, has_wrong);
   return first == found.end() ? nullptr : &*first;
+}
+
+double StepsLooked::agreement_of(const Mistake& one) const {
+  const std::size_t either = wrong + one.not_made;
+  return either == 0 ? 0 : static_cast<double>(one.made) / static_cast<double>(either);
 }
 
 StepsLooked look_at_steps(const AskedProgram& program, const Judgement& judgement) {
@@ -173,22 +179,25 @@ std::string words_of_first_wrong(const LookedSearch& search) {
 void add_cause(const StepsLooked& looked, std::vector<Cause>& causes) {
   const auto of = [](std::size_t some, std::size_t all) { return std::to_string(some) + " of " + std::to_string(all); };
   const std::size_t wrong = looked.wrong - looked.repaired;
-  const auto add_before_symptoms = [&](const Cause& cause) {
-    causes.insert(std::ranges::find(causes, Cause::symptom, &Cause::rank), cause);
+  // A step that is clearly wrong says more than rounding, which would explain the answers as well.
+  const auto add_behind_reasons = [&](const Cause& cause) {
+    causes.insert(std::ranges::find_if(causes, [](const Cause& each) { return each.rank != Cause::reason; }), cause);
   };
   if (looked.searches > 0 && looked.without_steps > wrong)
-    add_before_symptoms(
+    add_behind_reasons(
         {"it answers before it searches",
          "for " + of(looked.without_steps, looked.without_steps + wrong) + " wrong answers no step is told", 1});
-  if (wrong == 0) return;
-  if (!looked.mistake)
-    return add_before_symptoms(
-        {"wrong steps", of(looked.wrong, looked.searches) + " searches have one", 1, "", "--report report"});
+  if (looked.wrong == 0) return;
+  if (!looked.mistake) {
+    const std::string repaired = wrong == 0 ? ", which later steps repair" : "";
+    return add_behind_reasons(
+        {"wrong steps", of(looked.wrong, looked.searches) + " searches have one" + repaired, 1, "", "--report report"});
+  }
   const auto& known = wrong_on_purpose::all()[*looked.mistake];
-  const std::size_t made = looked.by_mistake[*looked.mistake];
+  const StepsLooked::Mistake& by_it = looked.by_mistake[*looked.mistake];
   Cause cause{wrong_on_purpose::number_of(known.value) + ": " + std::string(known.meaning),
-              "the first wrong step of " + of(made, looked.wrong) + " searches follows from it",
-              static_cast<double>(made) / static_cast<double>(looked.wrong), std::string(known.word)};
+              "the first wrong step of " + of(by_it.made, looked.wrong) + " searches follows from it",
+              looked.agreement_of(by_it), std::string(known.word)};
   if (const auto same = std::ranges::find(causes, cause.mistake, &Cause::mistake); same != causes.end()) {
     cause.evidence += "; " + same->evidence;
     cause.agreement = std::max(cause.agreement, same->agreement);

@@ -26,8 +26,15 @@ struct StepsLooked {
   std::size_t rounding = 0;             ///< searches of which rounding may be the reason, and no line wrong
   std::size_t otherwise = 0;            ///< steps that the report makes otherwise, and that are as right
   std::size_t without_steps = 0;        ///< wrong answers for which no step is told
-  std::vector<std::size_t> by_mistake;  ///< searches whose first wrong step each of mistakes() makes
-  std::optional<std::size_t> mistake;   ///< the one that makes nearly all of these
+  struct Mistake {
+    std::size_t made = 0;      ///< searches whose first wrong step it makes
+    std::size_t not_made = 0;  ///< searches without a wrong step in which it would have made one
+  };
+  std::vector<Mistake> by_mistake;     ///< of mistakes()
+  std::optional<std::size_t> mistake;  ///< the one that makes nearly all wrong steps, and hardly any that are right
+
+  /// Returns: from 0 to 1, as Cause::agreement.
+  double agreement_of(const Mistake& one) const;
   std::vector<LookedSearch> found;      ///< those with findings: wrong answers first, then those easiest to follow
   std::string complaint;                ///< why steps cannot be read, or not all; else empty
 

@@ -98,7 +98,7 @@ OneFile deck() {
           {{&picture, panels.part, points_of_unit * Vec2(panels.left(), panels_top), points_of_unit * panels.scale},
            {&around, {{0, 0}, {frame_page.width, frame_page.height}}, {0, 0}, points_of_unit}});
     }
-    return pdf_of(deck, *story, theme.paper);
+    return pdf_of(deck, text_of(story->walkthrough), theme.paper);
   };
   return {"deck.pdf", make};
 }
@@ -112,7 +112,7 @@ OneFile notes() {
                        }});
     PaperSheet sheet = in_grid_on_a4(*story, parts, output.look, renderer.font());
     add_heads_and_feet(sheet, "Notes: " + literal(story->walkthrough.title), output.look.style, renderer.font());
-    return pdf_of(sheet, *story, output.look.style.theme.paper);
+    return pdf_of(sheet, text_of(story->walkthrough), output.look.style.theme.paper);
   };
   return {"notes.pdf", make};
 }

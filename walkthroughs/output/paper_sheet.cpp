@@ -200,15 +200,15 @@ double smallest_letters(const Canvas& canvas) {
   return least;
 }
 
-Renderer::Content pdf_of(const Printed& printed, const Story& story, const render::Color& color) {
-  return [pdf = encode_pdf(printed.pages, printed.paper, color, text_of(story.walkthrough))] { return pdf; };
+Renderer::Content pdf_of(const Printed& printed, const render::PngText& text, const render::Color& color) {
+  return [pdf = encode_pdf(printed.pages, printed.paper, color, text)] { return pdf; };
 }
 
 OneFile paper_sheets(PaperSize paper, bool larger_text, TooSmall too_small) {
   const auto make = [=](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
     const PaperSheet sheet = paper_sheet(*story, output.look, paper, larger_text, renderer.font());
     if (sheet.letters < least_points) too_small(*story, sheet.letters);
-    return pdf_of(sheet, *story, output.look.style.theme.paper);
+    return pdf_of(sheet, text_of(story->walkthrough), output.look.style.theme.paper);
   };
   return {"sheet.pdf", make};
 }

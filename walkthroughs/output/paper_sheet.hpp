@@ -28,7 +28,7 @@ struct Printed {
 };
 
 /// Returns: the pages as a file about that story.
-Renderer::Content pdf_of(const Printed& printed, const Story& story, const render::Color& color);
+Renderer::Content pdf_of(const Printed& printed, const render::PngText& text, const render::Color& color);
 
 /// The frames of a story on paper: in a grid, each the panels without the pseudo-code, and the words beside or below.
 /// The title stands above each page, its number below.

@@ -38,10 +38,18 @@ bool is_told(const Question& question) {
          (question.decision.kind == Decision::Kind::crossing && question.decision.found == "crossed");
 }
 
-/// Of several words on one sheet: "triangle, quadrilateral".
-std::string objects_of(const Story& story) {
+/// Whether the edges of one face of a tetrahedron decide it. They are seen in its true shape alone, a picture that is not on the sheet:
+/// it tells which face it is.
+bool is_out_of_sight(const Question& question) {
+  using Kind = Decision::Kind;
+  const Kind kind = question.decision.kind;
+  return question.decision.simplex_size == 4 && (kind == Kind::vertices || kind == Kind::direction);
+}
+
+/// In place of the walkthrough's title, which would tell how it ends.
+std::string title_of(const Story& story) {
   const Scene& scene = story.tellings.front().scene;
-  return literal(scene.a.name) + ", " + literal(scene.b.name);
+  return "GJK of " + scene.a.name + ", " + scene.b.name + ": what will it find?";
 }
 
 bool is_of_one_picture(const Story& story, const Question& one, const Question& other) {
@@ -111,9 +119,7 @@ Printed quiz_of(const StagedStory& story, const std::vector<Question>& all, Look
   }
   Printed sheet = in_grid_on_a4(story, parts, look, font);
   add_key(sheet, all, look.style, font);
-  // Its title would tell how it ends.
-  add_heads_and_feet(sheet, "GJK of " + objects_of(story) + ": what will it find? Cover what stands below.", look.style,
-                     font);
+  add_heads_and_feet(sheet, literal(title_of(story)) + " Cover what stands below.", look.style, font);
   return sheet;
 }
 
@@ -124,10 +130,13 @@ OneFile quiz(Unasked unasked) {
                               Renderer& renderer) -> Renderer::Content {
     const std::vector<Question> known = questions_of(*story);
     std::vector<Question> asked = in_frames(known, *story);
-    const auto told = std::erase_if(asked, is_told);
-    if (asked.empty() || asked.size() + told < known.size()) unasked(*story, asked.size(), known.size() - told);
+    const auto left_out =
+        std::erase_if(asked, [](const Question& each) { return is_told(each) || is_out_of_sight(each); });
+    if (asked.empty() || asked.size() + left_out < known.size())
+      unasked(*story, asked.size(), known.size() - left_out);
     if (asked.empty()) return {};
-    return pdf_of(quiz_of(*story, asked, output.look, renderer.font()), *story, output.look.style.theme.paper);
+    return pdf_of(quiz_of(*story, asked, output.look, renderer.font()), {title_of(*story), ""},
+                  output.look.style.theme.paper);
   };
   return {"quiz.pdf", make};
 }

@@ -377,6 +377,7 @@
   cutOut($('steps'), entry.cut);
   fillPage();
   stepping.turnTo(addressed(), 'stay');
-  if (story.live && !isBare) begin().catch(error => { $('live').textContent = error.message; });
+  if (story.live && !isBare) begin().catch(error => set($('lesson'), {hidden: false,
+    textContent: `${error.message} So nothing can be taken hold of: copy the whole folder, or draw with --page=single.`}));
   addEventListener('load', keepInSight);  // the browser itself has gone to the step of the address by then
 })();

@@ -50,6 +50,8 @@ class Following {
     std::ranges::stable_sort(findings_, {}, &StepFinding::iteration);
     return std::move(findings_);
   }
+  /// After check().
+  std::set<std::size_t> mistakes_not_made() const { return not_made_; }
 
  private:
   const ToldStep& step() const { return run_.steps[at_]; }
@@ -306,6 +308,17 @@ class Following {
     for (const Outcome& each : right)
       if (!each.contains_origin && are_same_set(each.kept, told_indices_)) directions_.push_back(each.direction);
     note_order(*found);
+    note_mistakes_not_made(right);
+  }
+
+  void note_mistakes_not_made(const std::vector<Outcome>& right) {
+    for (std::size_t m = 0; m < mistakes().size(); ++m) {
+      const Processed other = process_by(m);
+      const Indices kept = indices_of(other.kept);
+      if (other.contains_origin ||
+          std::ranges::none_of(right, [&](const Outcome& each) { return are_same_set(each.kept, kept); }))
+        not_made_.insert(m);
+    }
   }
 
   std::string told_letters() const { return letters_of(told_indices_, vertices_.size()); }
@@ -547,6 +560,7 @@ class Following {
   Vertices directions_;  ///< in which the next search may go; none where nothing is known of that
   std::optional<Suspect> suspect_;
   StepFindings findings_;
+  std::set<std::size_t> not_made_;
 };
 
 }  // namespace
@@ -559,5 +573,11 @@ const StepFinding* first_wrong(const StepFindings& findings) {
 }
 
 StepFindings check_steps(const ToldRun& run) { return Following(run).check(); }
+
+std::set<std::size_t> mistakes_not_made(const ToldRun& run) {
+  Following following(run);
+  following.check();
+  return following.mistakes_not_made();
+}
 
 }  // namespace walkthroughs::steps

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,5 +34,8 @@ const StepFinding* first_wrong(const StepFindings& findings);
 /// normals outward: another face that sees the origin, too, is another correct choice, and so are the feature nearest to the origin
 /// and directions of other length. Of the direction behind a wrong simplex nothing is said: the report has none.
 StepFindings check_steps(const ToldRun& run);
+
+/// Returns: positions in mistakes() of those that the search does not make: they would keep a wrong simplex where it keeps a right one.
+std::set<std::size_t> mistakes_not_made(const ToldRun& run);
 
 }  // namespace walkthroughs::steps

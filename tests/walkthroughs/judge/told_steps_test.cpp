@@ -47,6 +47,8 @@ TEST_CASE("Told steps: of who makes no wrong step none is told") {
   CHECK(looked.searches > 50);
   CHECK(looked.steps > looked.searches);
   CHECK((looked.wrong == 0 && looked.rounding == 0 && looked.shown() == nullptr));
+  const auto is_seen_not_to_be_made = [](const StepsLooked::Mistake& each) { return each.not_made > 0; };
+  CHECK(std::ranges::count_if(looked.by_mistake, is_seen_not_to_be_made) > 5);
   std::vector<Cause> causes;
   add_cause(looked, causes);
   CHECK(causes.empty());
@@ -68,8 +70,10 @@ TEST_CASE("Told steps: each mistake is among those that make the first wrong ste
     for (const Family& each : families())
       if (points_of(each.make(1, 0))) some.push_back(&each);
     const StepsLooked looked = looked_at(telling("m" + std::to_string(m + 1)), some);
-    CHECK(looked.by_mistake[m] > 0);
-    CHECK(looked.by_mistake[m] == std::ranges::max(looked.by_mistake));
+    const StepsLooked::Mistake& own = looked.by_mistake[m];
+    CHECK(own.made > 0);
+    CHECK(own.made == std::ranges::max(looked.by_mistake, {}, &StepsLooked::Mistake::made).made);
+    CHECK(own.not_made == 0);
   }
 }
 

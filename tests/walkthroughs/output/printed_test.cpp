@@ -117,6 +117,7 @@ TEST_CASE("A quiz asks what a page asks, and answers on a page of its own behind
     CHECK(has(asked, std::to_string(i + 1) + ". " + questions[i].text.substr(0, 8)));
   CHECK_FALSE(has(asked, questions[0].choices[questions[0].right].reason));  // which the picture does not tell, either
   CHECK_FALSE(has(words_of(quiz, page), "1. " + questions[0].text.substr(0, 8)));
+  CHECK_FALSE(has(info_of(quiz), story.walkthrough.title));  // which tells how it ends
 }
 
 TEST_CASE("Where nothing is asked there is no quiz, also none of an earlier run", "[printed][full]") {

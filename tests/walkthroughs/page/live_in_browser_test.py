@@ -3,7 +3,7 @@
 
     /usr/bin/python3 tests/walkthroughs/page/live_in_browser_test.py build/gjkstep [NAME-OF-A-TEST...]
 """
-import base64, json, math, pathlib, subprocess
+import base64, json, math, pathlib, shutil, subprocess
 
 from in_browser import *
 
@@ -397,6 +397,12 @@ class Page(PageInBrowser):
         self.open("live")
         self.assertTrue(self.find(".now img").is_displayed())
         self.assertFalse(self.find("#stage").is_displayed())
+
+    def test_a_page_that_was_copied_alone_says_what_is_missing(self):
+        shutil.copytree(self.out / "live", self.out / "alone/live")
+        self.open("alone/live")
+        self.wait(lambda: "program.js, which belongs beside this page, is not there" in self.find("#lesson").text)
+        self.assertTrue(self.find(".now img").is_displayed())
 
 
 if __name__ == "__main__":
