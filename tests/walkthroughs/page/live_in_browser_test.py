@@ -403,6 +403,8 @@ class Page(PageInBrowser):
         self.open("alone/live")
         self.wait(lambda: "program.js, which belongs beside this page, is not there" in self.find("#lesson").text)
         self.assertTrue(self.find(".now img").is_displayed())
+        [missed] = self.browser.get_log("browser")
+        self.assertIn("alone/program.js", missed["message"])
 
 
 if __name__ == "__main__":
