@@ -131,7 +131,7 @@ long() {
 
 case $tier in
   quick) what="unit tests, golden traces and pictures, the command line, a page in a browser" time="five minutes at first, one later" ;;
-  --full) what="all tests, also under sanitizers on the other Debian; study, judge and package" time="40 minutes" ;;
+  --full) what="all tests, also under sanitizers on the other Debian; study, judge and package" time="45 minutes" ;;
   --sanitized) what="unit tests, golden traces and pictures and the command line, under sanitizers" time="20 minutes" ;;
   --long) what="benchmarks, peers, compilers and settings, mutants, fuzzers, kills, Slurm, Firefox" time=hours ;;
 esac

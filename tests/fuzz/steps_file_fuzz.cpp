@@ -32,7 +32,7 @@ void require(bool holds) {
 
 void require_told(ToldRun run) {
   bring_to_differences(run);
-  for (const StepFinding& found : check_steps(run)) {
+  for (const StepFinding& found : check_steps(run).findings) {
     require(found.iteration >= 1 && found.iteration <= static_cast<int>(run.steps.size()));
     require(!found.words.empty());
     require(std::ranges::all_of(found.mistakes, [](std::size_t m) { return m < mistakes().size(); }));

@@ -89,8 +89,7 @@ def provide_gjkstep(root):
 
 def main():
     if reason := why_not():
-        print(f"skipped: {reason}")
-        sys.exit(77)
+        roots.skip(reason)
     with tempfile.TemporaryDirectory(prefix="gjkstep-bare-") as folder:
         root = roots.make(pathlib.Path(folder), roots.this_release())
         shutil.copytree(here / "pictures", root / "project")

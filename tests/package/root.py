@@ -46,6 +46,11 @@ def why_not():
     return ""
 
 
+def skip(reason):
+    print(f"skipped: {reason}", flush=True)
+    sys.exit(77)
+
+
 def run(*words):
     start = time.monotonic()
     done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -72,8 +77,7 @@ def make(folder, release, packages=()):
     include = [f"--include={','.join(packages)}"] if packages else []
     code, said, seconds = run("mmdebstrap", "--mode=root", "--variant=apt", *include, release, root, *sorted(lists.iterdir()))
     if code != 0 and re.search("Temporary failure resolving|Could not (resolve|connect)|Network is unreachable", said):
-        print("skipped: the servers of Debian's packages cannot be reached")
-        sys.exit(77)
+        skip("the servers of Debian's packages cannot be reached")
     print(f"made a root of {release}: {seconds:.0f} s", flush=True)
     if code != 0:
         sys.exit(f"mmdebstrap ended with {code}:\n{said}")

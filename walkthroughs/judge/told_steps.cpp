@@ -95,7 +95,7 @@ class Looking {
     bring_to_differences(told);
     ++looked_.searches;
     looked_.steps += told.steps.size();
-    StepFindings findings = check_steps(told);
+    auto [findings, not_made] = check_steps(told);
     looked_.otherwise +=
         static_cast<std::size_t>(std::ranges::count(findings, StepFinding::otherwise, &StepFinding::kind));
     const bool is_right = about.verdict == Verdict::right;
@@ -105,7 +105,7 @@ class Looking {
       for (const std::size_t m : first->mistakes) ++looked_.by_mistake[m].made;
     } else {
       looked_.rounding += first != nullptr;
-      for (const std::size_t m : mistakes_not_made(told)) ++looked_.by_mistake[m].not_made;
+      for (const std::size_t m : not_made) ++looked_.by_mistake[m].not_made;
     }
     if (!findings.empty()) looked_.found.push_back({std::move(told), std::move(findings), is_right});
   }

@@ -20,24 +20,24 @@ struct LookedSearch {
 };
 
 struct StepsLooked {
+  struct Mistake {
+    std::size_t made = 0;      ///< searches whose first wrong step it makes
+    std::size_t not_made = 0;  ///< searches without a wrong step in which it would have made one
+  };
+
   std::size_t searches = 0, steps = 0;  ///< that it has told
   std::size_t wrong = 0;                ///< searches with a wrong step
   std::size_t repaired = 0;             ///< of these, those that are answered rightly all the same
   std::size_t rounding = 0;             ///< searches of which rounding may be the reason, and no line wrong
   std::size_t otherwise = 0;            ///< steps that the report makes otherwise, and that are as right
   std::size_t without_steps = 0;        ///< wrong answers for which no step is told
-  struct Mistake {
-    std::size_t made = 0;      ///< searches whose first wrong step it makes
-    std::size_t not_made = 0;  ///< searches without a wrong step in which it would have made one
-  };
-  std::vector<Mistake> by_mistake;     ///< of mistakes()
-  std::optional<std::size_t> mistake;  ///< the one that makes nearly all wrong steps, and hardly any that are right
-
-  /// Returns: from 0 to 1, as Cause::agreement.
-  double agreement_of(const Mistake& one) const;
+  std::vector<Mistake> by_mistake;      ///< of mistakes()
+  std::optional<std::size_t> mistake;   ///< the one that makes nearly all wrong steps, and hardly any where others go right
   std::vector<LookedSearch> found;      ///< those with findings: wrong answers first, then those easiest to follow
   std::string complaint;                ///< why steps cannot be read, or not all; else empty
 
+  /// Returns: from 0 to 1, as Cause::agreement.
+  double agreement_of(const Mistake& one) const;
   /// Returns: the one with a wrong step that is shown; null where there is none.
   const LookedSearch* shown() const;
 };

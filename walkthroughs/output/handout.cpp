@@ -299,7 +299,8 @@ Handout handout_of(const StagedStory& story, const Look& look, render::Font& fon
 
 OneFile handout() {
   const auto make = [](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
-    return pdf_of(handout_of(*story, output.look, renderer.font()), text_of(story->walkthrough), output.look.style.theme.paper);
+    return pdf_of(handout_of(*story, output.look, renderer.font()), text_of(story->walkthrough),
+                  output.look.style.theme.paper);
   };
   return {"handout.pdf", make};
 }

@@ -27,7 +27,7 @@ struct Printed {
   std::vector<render::PdfPage> pages = {};
 };
 
-/// Returns: the pages as a file about that story.
+/// Returns: the pages as a file. `text`: its title and what it is about.
 Renderer::Content pdf_of(const Printed& printed, const render::PngText& text, const render::Color& color);
 
 /// The frames of a story on paper: in a grid, each the panels without the pseudo-code, and the words beside or below.

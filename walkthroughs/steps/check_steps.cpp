@@ -44,14 +44,12 @@ class Following {
  public:
   explicit Following(const ToldRun& run) : run_(run), differences_(run.pair.a, run.pair.b) {}
 
-  StepFindings check() {
+  CheckedSteps check() {
     for (at_ = 0; at_ < run_.steps.size(); ++at_)
       if (!follow()) go_on_from_its_own();
     std::ranges::stable_sort(findings_, {}, &StepFinding::iteration);
-    return std::move(findings_);
+    return {std::move(findings_), std::move(not_made_)};
   }
-  /// After check().
-  std::set<std::size_t> mistakes_not_made() const { return not_made_; }
 
  private:
   const ToldStep& step() const { return run_.steps[at_]; }
@@ -572,12 +570,6 @@ const StepFinding* first_wrong(const StepFindings& findings) {
   return nullptr;
 }
 
-StepFindings check_steps(const ToldRun& run) { return Following(run).check(); }
-
-std::set<std::size_t> mistakes_not_made(const ToldRun& run) {
-  Following following(run);
-  following.check();
-  return following.mistakes_not_made();
-}
+CheckedSteps check_steps(const ToldRun& run) { return Following(run).check(); }
 
 }  // namespace walkthroughs::steps

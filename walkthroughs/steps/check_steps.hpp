@@ -26,6 +26,12 @@ struct StepFinding {
 /// In the order of iterations.
 using StepFindings = std::vector<StepFinding>;
 
+struct CheckedSteps {
+  StepFindings findings;
+  /// Positions in mistakes() of those that the search does not make: they would keep a wrong simplex where it keeps a right one.
+  std::set<std::size_t> mistakes_not_made;
+};
+
 /// Returns: the first that is wrong, or else that may be; null where there is none.
 const StepFinding* first_wrong(const StepFindings& findings);
 
@@ -33,9 +39,6 @@ const StepFinding* first_wrong(const StepFindings& findings);
 /// wrong one is looked at, too. Right are all that the report's rules make of that simplex in any order of its vertices that leaves
 /// normals outward: another face that sees the origin, too, is another correct choice, and so are the feature nearest to the origin
 /// and directions of other length. Of the direction behind a wrong simplex nothing is said: the report has none.
-StepFindings check_steps(const ToldRun& run);
-
-/// Returns: positions in mistakes() of those that the search does not make: they would keep a wrong simplex where it keeps a right one.
-std::set<std::size_t> mistakes_not_made(const ToldRun& run);
+CheckedSteps check_steps(const ToldRun& run);
 
 }  // namespace walkthroughs::steps

@@ -90,7 +90,7 @@ TEST_CASE("Report: the first wrong step stands above the worst pairs, with its o
                      {{-7, -2, 5}, {{0, -2, -1}, {-1, 1, 0}}}},
                     gjk::Status::separated};
   judge::Report report = report_in(folder.path(), {wrong_yes("first")});
-  report.steps.found = {{run, check_steps(run)}};
+  report.steps.found = {{run, check_steps(run).findings}};
   const auto parting = judge::parting_of(report.steps);
   REQUIRE(parting);
   const std::size_t place = parting->story().parting().value();

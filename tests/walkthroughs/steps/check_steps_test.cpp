@@ -47,7 +47,7 @@ struct Looked {
   std::size_t other_choices = 0;
 };
 Looked look_at(const ToldRun& run) {
-  const StepFindings found = check_steps(run);
+  const StepFindings found = check_steps(run).findings;
   Looked looked;
   if (const StepFinding* const wrong = first_wrong(found))
     looked = {wrong->iteration, wrong->words, wrong->mistakes, wrong->kind == StepFinding::rounding};

@@ -24,7 +24,7 @@ TEST_CASE(
     "Parting: the mistake and the report's algorithm are told beside each other, and part where the step is wrong",
     "[steps]") {
   const ToldRun run = wrong_order();
-  const StepFindings found = check_steps(run);
+  const StepFindings found = check_steps(run).findings;
   REQUIRE(first_wrong(found)->iteration == 3);
   const auto parting = parting_of(run, *first_wrong(found));
   REQUIRE(parting);
@@ -41,7 +41,7 @@ TEST_CASE(
 TEST_CASE("Parting: there is none where what is told are no numbers", "[steps]") {
   ToldRun run = wrong_order();
   run.steps[1].direction[0] = std::numeric_limits<double>::quiet_NaN();
-  const StepFindings found = check_steps(run);
+  const StepFindings found = check_steps(run).findings;
   REQUIRE_FALSE(found.empty());
   CHECK(found[0].iteration == 2);
   CHECK_FALSE(parting_of(run, found[0]));
@@ -49,7 +49,7 @@ TEST_CASE("Parting: there is none where what is told are no numbers", "[steps]")
 
 /// Returns: the frame where they part, of steps that no mistake explains.
 story::Frame own_parting(const ToldRun& run, int iteration) {
-  const StepFindings found = check_steps(run);
+  const StepFindings found = check_steps(run).findings;
   const StepFinding& wrong = *first_wrong(found);
   REQUIRE(wrong.iteration == iteration);
   const auto parting = parting_of(run, wrong);
