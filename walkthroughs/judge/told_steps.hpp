@@ -32,9 +32,10 @@ struct StepsLooked {
   std::size_t otherwise = 0;            ///< steps that the report makes otherwise, and that are as right
   std::size_t without_steps = 0;        ///< wrong answers for which no step is told
   std::vector<Mistake> by_mistake;      ///< of mistakes()
-  std::optional<std::size_t> mistake;   ///< the one that makes nearly all wrong steps, and hardly any where others go right
-  std::vector<LookedSearch> found;      ///< those with findings: wrong answers first, then those easiest to follow
-  std::string complaint;                ///< why steps cannot be read, or not all; else empty
+  std::optional<std::size_t>
+      mistake;                      ///< the one that makes nearly all wrong steps, and hardly any where others go right
+  std::vector<LookedSearch> found;  ///< those with findings: wrong answers first, then those easiest to follow
+  std::string complaint;            ///< why steps cannot be read, or not all; else empty
 
   /// Returns: from 0 to 1, as Cause::agreement.
   double agreement_of(const Mistake& one) const;

@@ -132,8 +132,7 @@ OneFile quiz(Unasked unasked) {
     std::vector<Question> asked = in_frames(known, *story);
     const auto left_out =
         std::erase_if(asked, [](const Question& each) { return is_told(each) || is_out_of_sight(each); });
-    if (asked.empty() || asked.size() + left_out < known.size())
-      unasked(*story, asked.size(), known.size() - left_out);
+    if (asked.empty() || asked.size() + left_out < known.size()) unasked(*story, asked.size(), known.size() - left_out);
     if (asked.empty()) return {};
     return pdf_of(quiz_of(*story, asked, output.look, renderer.font()), {title_of(*story), ""},
                   output.look.style.theme.paper);

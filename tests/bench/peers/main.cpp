@@ -30,9 +30,8 @@ void write_head(int argc, char** argv, const peers::MatchSettings& settings,
             << peers::corners_raced << " at most\n";
   for (const peers::Contender& contender : contenders)
     std::cout << "# " << contender.name << ": " << contender.how << '\n';
-  std::cout
-      << "part,family,pairs,timed,meet,lost,contender,is_peer,borrows,proves,ns,false_positives,false_negatives,"
-         "undecided,failed,not_asked,first_failure\n";
+  std::cout << "part,family,pairs,timed,meet,lost,contender,is_peer,borrows,proves,ns,false_positives,false_negatives,"
+               "undecided,failed,not_asked,first_failure\n";
 }
 
 void write_rows(const std::string& part, const std::vector<study::Family>& families,
@@ -45,8 +44,8 @@ void write_rows(const std::string& part, const std::vector<study::Family>& famil
       std::cout << part << ',' << match.family << ',' << match.pairs << ',' << match.raced << ',' << match.meet << ','
                 << match.lost << ",\"" << contenders[i].name << "\"," << contenders[i].is_peer << ','
                 << contenders[i].borrows << ',' << contenders[i].proves << ',' << score.nanoseconds << ','
-                << score.false_positives << ',' << score.false_negatives << ',' << score.undecided << ',' << score.failed << ',' << score.not_asked
-                << ',' << score.first_failure << '\n';
+                << score.false_positives << ',' << score.false_negatives << ',' << score.undecided << ','
+                << score.failed << ',' << score.not_asked << ',' << score.first_failure << '\n';
     }
   }
 }
