@@ -80,7 +80,6 @@ full() {
   npm install --silent --no-save --no-audit --no-fund --prefix build/checked/npm axe-core@4.14.1 ||
     printf 'no axe-core from npm: pages are not tried for barriers\n'
   timed "compiling with warnings as errors" build build/checked all -DGJKSTEP_TESTS=ON -DGJKSTEP_STUDY=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
-  export GJKSTEP_BARE_ROOT=1
   timed "running" test_in build/checked --label-exclude long
   timed "under sanitizers on the other Debian" sanitized_elsewhere
 }

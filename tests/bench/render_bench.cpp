@@ -1,21 +1,19 @@
 /// What does a picture cost? At 1280x720: the start of the OpenGL context, the first frame, then each frame split into
-/// laying out (captions, labels, triangles), drawing, with reading back, and PNG. Medians; milliseconds. Then the first frame of
-/// many points. frames.md has what the whole program takes, growth.md what many frames take.
+/// laying out (captions, labels), drawing (triangles, pixels, reading back) and PNG. Medians; milliseconds. frames.md has what
+/// the whole program takes, growth.md what many frames take.
 ///
 ///     build/gjkstep-render-bench
 ///
 /// What was tried, and is not worth its code:
+///  * Drawing on a thread of its own, beside who lays out and who compresses: two processors are busy as it is.
 ///  * The atlas kept by OpenGL from picture to picture, RGBA read back in place of RGB, other numbers of threads for Mesa: no
 ///    difference that can be measured.
-///  * Filters of PNG, also as libpng chooses them: files as large or larger, later. There is no palette: anti-aliased pictures
-///    have 400 to 3,000 colours.
+///  * Filters of PNG, as libpng chooses them, or "up" for rows that are as those above: files as large or larger, later.
+///    There is no palette: anti-aliased pictures have 400 to 3,000 colours.
 ///  * Level 5 of libdeflate: an eighth sooner, files 3 in 100 larger.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <random>
-#include <string>
 #include <vector>
 
 #include "render/image.hpp"
@@ -96,55 +94,6 @@ void print_start() {
   std::printf("context start %.1f ms, first frame %.1f ms\n\n", started - start, cost.layout + cost.draw);
 }
 
-// -- Many points ------------------------------------------------------------------------------------------------------
-
-using walkthroughs::model::Point;
-
-/// So many points on a ball or in it, or in the plane on a circle, around `center`.
-walkthroughs::model::Points many_points(const std::string& where, int count, const Point& center) {
-  std::mt19937 random(1);
-  std::normal_distribution<double> number;
-  std::uniform_real_distribution<double> share;
-  walkthroughs::model::Points points;
-  for (int i = 0; i < count; ++i) {
-    Point p(number(random), number(random), where == "circle" ? 0 : number(random));
-    p.normalize();
-    if (where == "in a ball") p *= std::cbrt(share(random));
-    points.push_back(center + p);
-  }
-  return points;
-}
-
-/// From the points to the pixels of the first frame: search, hulls, camera, laying out, drawing.
-Milliseconds first_frame_of(const std::string& where, int count, walkthroughs::output::Studio& studio) {
-  Walkthrough walkthrough{.name = where, .title = where, .source = "", .summary = ""};
-  walkthrough.naming = walkthroughs::model::Naming::roles;
-  const bool plane = where == "circle";
-  walkthrough.scenes.push_back(
-      {.name = "",
-       .a = {"a", many_points(where, count, Point::Zero())},
-       .b = {"b", many_points(where, count, Point(1.3, 0.4, plane ? 0 : 0.5))},
-       .dimension = plane ? walkthroughs::model::Dimension::plane : walkthroughs::model::Dimension::space});
-  const Milliseconds start = now();
-  const StagedStory story(walkthroughs::story::tell(walkthrough));
-  const Milliseconds staged = now();
-  const Cost cost = cost_of(story, 0, studio);
-  return staged - start + cost.layout + cost.draw;
-}
-
-/// A bar a row, so that a line is seen as one: its length doubles with the points.
-void print_curve(walkthroughs::output::Studio& studio) {
-  std::printf("\nfirst frame of two sets of so many points, ms\n");
-  for (const char* const where : {"on a ball", "in a ball", "circle"})
-    for (const int count : {1250, 2500, 5000, 10'000, 20'000, 40'000, 100'000}) {
-      std::vector<double> times;
-      for (int repeat = 0; repeat < repeats; ++repeat) times.push_back(first_frame_of(where, count, studio));
-      const double time = median(times);
-      std::printf("%-10s %7d %8.0f  %s\n", where, count, time,
-                  std::string(static_cast<std::size_t>(time / 25), '#').c_str());
-    }
-}
-
 }  // namespace
 
 int main() {
@@ -153,5 +102,4 @@ int main() {
   std::printf("%-28s %8s %8s %8s %8s\n", "ms per frame", "frames", "layout", "draw", "PNG");
   print_frames(*walkthroughs::catalogue::find_walkthrough("figure-4-left"), studio);
   if (const Walkthrough* const w = in_space()) print_frames(*w, studio);
-  print_curve(studio);
 }

@@ -1,13 +1,12 @@
 """The Debian package installs on a bare system and draws there: the steps of pictures/github-actions.yml, in a file
 system that holds nothing but Debian's essential packages and apt.
 
-    GJKSTEP_BARE_ROOT=1 python3 bare_root_test.py BUILD_FOLDER CMAKE        # takes a minute or two and the network
-    GJKSTEP_BARE_ROOT=build python3 bare_root_test.py BUILD_FOLDER CMAKE    # builds the package there as well
+    python3 bare_root_test.py BUILD_FOLDER CMAKE            # takes a minute or two and the network
+    python3 bare_root_test.py BUILD_FOLDER CMAKE --build    # builds the package there as well
 
 Says "skipped: " and why where that cannot be, and ends with 77. Packages come from where those of this machine come from.
 """
 import importlib.util
-import os
 import pathlib
 import shutil
 import sys
@@ -18,12 +17,10 @@ import root as roots
 here = pathlib.Path(__file__).resolve().parent
 top = here.parents[1]
 build_folder, cmake = map(pathlib.Path, sys.argv[1:3])
-asked = os.environ.get("GJKSTEP_BARE_ROOT", "0")
+is_built_there = sys.argv[3:] == ["--build"]
 
 
 def why_not():
-    if asked not in ("1", "build"):
-        return "takes two minutes and the network; GJKSTEP_BARE_ROOT=1 asks for it"
     for program in ("dpkg-shlibdeps", "file"):
         if not shutil.which(program):
             return f"there is no {program}"
@@ -52,7 +49,7 @@ class Job:
         """Name and commands of the steps that the service would run, the package being there or not."""
         for step in self.job["steps"]:
             missed = step.get("if") == "steps.kept.outputs.cache-hit != 'true'"
-            if "run" in step and (not missed or asked == "build"):
+            if "run" in step and (not missed or is_built_there):
                 yield step["name"], step["run"]
 
     def succeeds(self):
@@ -77,7 +74,7 @@ class Job:
 
 def provide_gjkstep(root):
     """To clone and build from, or as the package that the cache would hold."""
-    if asked == "build":
+    if is_built_there:
         return roots.done("cloned", "git", "clone", "-q", "--bare", top, root / "gjkstep.git")
     roots.done("packed", cmake.with_name("cpack"), "-G", "DEB", "-B", root / "packed", "--config",
          build_folder / "CPackConfig.cmake")
