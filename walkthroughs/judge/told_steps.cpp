@@ -102,6 +102,7 @@ class Looking {
     if (const StepFinding* const first = first_wrong(findings); first && first->kind == StepFinding::wrong) {
       ++looked_.wrong;
       looked_.repaired += is_right;
+      looked_.kept_directions += first->keeps_direction;
       for (const std::size_t m : first->mistakes) ++looked_.by_mistake[m].made;
     } else {
       looked_.rounding += first != nullptr;
@@ -190,6 +191,12 @@ void add_cause(const StepsLooked& looked, std::vector<Cause>& causes) {
   if (looked.wrong == 0) return;
   if (!looked.mistake) {
     const std::string repaired = wrong == 0 ? ", which later steps repair" : "";
+    const auto kept = static_cast<double>(looked.kept_directions) / static_cast<double>(looked.wrong);
+    if (kept >= enough_agreement)
+      return add_behind_reasons({"the direction is not changed",
+                                 "the first wrong step of " + of(looked.kept_directions, looked.wrong) +
+                                     " searches goes on along the direction before it" + repaired,
+                                 kept, "", "--report report"});
     return add_behind_reasons(
         {"wrong steps", of(looked.wrong, looked.searches) + " searches have one" + repaired, 1, "", "--report report"});
   }

@@ -30,6 +30,7 @@ struct StepsLooked {
   std::size_t repaired = 0;             ///< of these, those that are answered rightly all the same
   std::size_t rounding = 0;             ///< searches of which rounding may be the reason, and no line wrong
   std::size_t otherwise = 0;            ///< steps that the report makes otherwise, and that are as right
+  std::size_t kept_directions = 0;      ///< searches whose first wrong step goes on along the direction before it
   std::size_t without_steps = 0;        ///< wrong answers for which no step is told
   std::vector<Mistake> by_mistake;      ///< of mistakes()
   std::optional<std::size_t>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <variant>
 
 #include "walkthroughs/story/iterations.hpp"
 #include "walkthroughs/story/words.hpp"
@@ -227,17 +228,25 @@ void write_answer(Page& page, const Story& story) {
     if (!fact.is_in_caption && fact.mark != Fact::Mark::answer) page.line(fact.text);
 }
 
+/// Of few points all, so that what follows can be computed by hand.
+std::string in_words(const Object& object, Dimension dimension) {
+  constexpr std::size_t few = 8;
+  const auto* const points = std::get_if<Points>(&object.form);
+  const bool are_listed = points && points->size() <= few && object.pose == Pose{};
+  return literal(object.name) + ": " +
+         (are_listed ? joined(*points, ", ", [&](const Point& p) { return vector(p, dimension); })
+                     : described(object.form, dimension));
+}
+
 /// What is asked and answered. Of one search the objects are drawn beside it.
 void write_top(Page& page, const Story& story) {
   if (story.tellings.size() == 1 && story.tellings[0].panels.objects) page.draw_objects();
   if (story.walkthrough.summary != story.walkthrough.title) page.line(literal(story.walkthrough.summary));
   for (const Telling& telling : story.tellings) {
     const bool are_of_one_pair = story.tellings.size() == 1 || story.walkthrough.layout == Layout::until_they_part;
-    const auto object = [&](const Object& each) {
-      return literal(each.name) + ": " + described(each.form, telling.scene.dimension);
-    };
-    page.line((are_of_one_pair ? "Objects: " : literal(telling.scene.name) + ": ") + object(telling.scene.a) + "; " +
-              object(telling.scene.b) + ".");
+    const Scene& scene = telling.scene;
+    page.line((are_of_one_pair ? "Objects: " : literal(scene.name) + ": ") + in_words(scene.a, scene.dimension) + "; " +
+              in_words(scene.b, scene.dimension) + ".");
     if (are_of_one_pair) break;
   }
   page.gap();
@@ -272,6 +281,9 @@ std::optional<Handout> with_rows(const StagedStory& story, const std::vector<Row
   }
   if (story.walkthrough.naming == Naming::roles)
     page.line("P is the point just found. In the simplex it is A, the newest vertex.");
+  page.line(
+      "Each picture shows the end of its iteration: d is the next direction already. A simplex is written oldest "
+      "vertex first.");
   if (page.is_full() && count > 0) return std::nullopt;
   return std::move(page).finished(left_out);
 }

@@ -38,11 +38,12 @@ bool is_told(const Question& question) {
          (question.decision.kind == Decision::Kind::crossing && question.decision.found == "crossed");
 }
 
-/// Whether the edges of one face of a tetrahedron decide it. They are seen in its true shape alone, a picture that is not on the sheet:
-/// it tells which face it is.
-bool is_out_of_sight(const Question& question) {
+/// Whether it is seen in a picture alone that is not on the sheet, because it shows the answer. The edges of one face of a tetrahedron
+/// are seen in its true shape, and in space whether the origin was crossed in the plane of d and OP.
+bool is_out_of_sight(const Story& story, const Question& question) {
   using Kind = Decision::Kind;
   const Kind kind = question.decision.kind;
+  if (kind == Kind::crossing) return story.tellings[question.scene].scene.dimension == Dimension::space;
   return question.decision.simplex_size == 4 && (kind == Kind::vertices || kind == Kind::direction);
 }
 
@@ -104,22 +105,30 @@ void add_key(Printed& printed, const std::vector<Question>& all, const Style& st
         style, font);
 }
 
+/// Not the simplex: what is kept is asked below the picture before.
+std::string head_of(int iteration, bool is_first) {
+  return "iteration " + std::to_string(iteration) +
+         (is_first ? " · each picture tells what is asked above it: cover those below" : "");
+}
+
 Printed quiz_of(const StagedStory& story, const std::vector<Question>& all, Look look, render::Font& font) {
   look.values = false;
   std::vector<InGrid> parts;
   for (Asked& asked : by_pictures(story, all)) {
     const std::size_t frame = asked.frame();
-    parts.push_back({frame, [&story, &look, asked = std::move(asked), frame](Canvas& canvas, double width) {
-                       double y = write_lines(canvas, {0, 0}, state_in_words(story, frame), look.style.small, width);
-                       for (std::size_t i = 0; i < asked.questions.size(); ++i)
-                         y += between + write_question(canvas, y + between, width, asked.first + i + 1,
-                                                       asked.questions[i], look.style);
-                       return y;
-                     }});
+    parts.push_back(
+        {frame, [&story, &look, asked = std::move(asked), frame](Canvas& canvas, double width) {
+           const auto& moment = story.frames[frame].moments[asked.questions[0].scene];
+           double y = write_lines(canvas, {0, 0}, head_of(moment.iteration, asked.first == 0), look.style.small, width);
+           for (std::size_t i = 0; i < asked.questions.size(); ++i)
+             y += between +
+                  write_question(canvas, y + between, width, asked.first + i + 1, asked.questions[i], look.style);
+           return y;
+         }});
   }
   Printed sheet = in_grid_on_a4(story, parts, look, font);
   add_key(sheet, all, look.style, font);
-  add_heads_and_feet(sheet, literal(title_of(story)) + " Cover what stands below.", look.style, font);
+  add_heads_and_feet(sheet, literal(title_of(story)), look.style, font);
   return sheet;
 }
 
@@ -131,7 +140,7 @@ OneFile quiz(Unasked unasked) {
     const std::vector<Question> known = questions_of(*story);
     std::vector<Question> asked = in_frames(known, *story);
     const auto left_out =
-        std::erase_if(asked, [](const Question& each) { return is_told(each) || is_out_of_sight(each); });
+        std::erase_if(asked, [&](const Question& each) { return is_told(each) || is_out_of_sight(*story, each); });
     if (asked.empty() || asked.size() + left_out < known.size()) unasked(*story, asked.size(), known.size() - left_out);
     if (asked.empty()) return {};
     return pdf_of(quiz_of(*story, asked, output.look, renderer.font()), {title_of(*story), ""},

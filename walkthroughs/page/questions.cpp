@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -111,7 +112,7 @@ Choice choice_of(gjk::RegionLabel label, const std::string& words) {
 Choice choice_of(int size, const TestsOf& tests, const std::string& name) {
   using enum gjk::RegionLabel;
   const bool is_zero = tests.relation == Relation::zero, is_above = tests.relation == Relation::positive;
-  if (size == 1) return choice_of(none, name + (is_zero ? " is the origin" : " is not the origin"));
+  if (size == 1) return choice_of(none, is_zero ? "yes, it is O" : "no, O lies elsewhere");
   if (size == 2) return is_zero ? choice_of(none, "on segment " + name) : choice_of(R3_or_R4, "to one side of " + name);
   if (size == 3 && tests.feature == "ABC") {
     Choice choice = choice_of(R1, (is_zero ? "in" : is_above ? "above" : "below") + (" triangle " + name));
@@ -391,11 +392,19 @@ class Iteration {
     const std::string why =
         names_.translate(reduction() ? gjk::to_string(reduction()->why)
                                      : "the origin lies above the triangle, on the side of its normal");
-    return asked(decision(Kind::vertices), scene_, end_, "Which vertices stay, and in which order?",
-                 ways(
-                     right, why, [&](const Way& way) { return in_list(way.kept); },
-                     [&](const Way& way) { return aim_at_dropped(way.kept); }),
-                 right);
+    std::vector<Choice> choices = ways(
+        right, why, [&](const Way& way) { return in_list(way.kept); },
+        [&](const Way& way) { return aim_at_dropped(way.kept); });
+    std::set<std::string> without_order;
+    for (const Choice& choice : choices) {
+      std::string kept = choice.text;
+      std::ranges::sort(kept);
+      without_order.insert(kept);
+    }
+    const bool is_order_asked = without_order.size() < choices.size();
+    return asked(decision(Kind::vertices), scene_, end_,
+                 is_order_asked ? "Which vertices stay, and in which order?" : "Which vertices stay?",
+                 std::move(choices), right);
   }
 
   std::optional<Question> of_direction() const {

@@ -47,6 +47,7 @@ function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, pl
     $('onward').textContent = 'Skip';
     now().querySelector('.told').prepend($('quiz'));
     now().classList.add('asking');
+    now().classList.toggle('asks-crossing', questions[k].kind === 'crossing');
     hideWords(true);
     mark(false);
     $('quiz').hidden = false;

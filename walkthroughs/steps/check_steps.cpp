@@ -137,14 +137,19 @@ class Following {
       if (same_kept && (parallel(other.direction, d) || (d == Vec(Vec::Zero()) && other.direction == d)))
         makers.push_back(m);
     }
+    const bool keeps_direction = parallel(run_.steps[at_ - 1].direction, d);
     blame(iteration() - 1,
-          "from " + letters_of(told_indices_, vertices_.size()) + ", rightly kept, the report " +
+          "from " + letters_of(told_indices_, vertices_.size()) + ", rightly kept" + why_kept_ + ", the report " +
               (directions_.front() == Vec(Vec::Zero())
                    ? "has no direction, as the origin lies on it up to rounding"
                    : "searches along " + words_of(directions_.front()) + " (only the ratios count)") +
-              ", yours " + (parallel(directions_.front(), -d) ? "the opposite way, " : "") + "along " + words_of(d) +
-              "; there " + letters_and_places(vertices_),
+              ", yours " +
+              (parallel(directions_.front(), -d) ? "the opposite way, "
+               : keeps_direction                 ? "as before, "
+                                                 : "") +
+              "along " + words_of(d) + "; there " + letters_and_places(vertices_),
           makers);
+    findings_.back().keeps_direction = keeps_direction;
   }
 
   Processed process_by(std::size_t mistake) const { return process_by(mistake, as_told(vertices_)); }
@@ -175,6 +180,12 @@ class Following {
     Vertices added;
     for (const Vec& v : step().simplex)
       if (!differences_.has(before_, v)) added.push_back(v);
+    if (added.size() > 1 && at_ == 0) {
+      findings_.push_back({iteration(), StepFinding::otherwise,
+                           "it begins with " + std::to_string(added.size()) +
+                               " vertices, and how it came to them is not told: tell the first points, too"});
+      return std::nullopt;
+    }
     if (added.size() > 1) {
       blame(iteration(), "its simplex has " + std::to_string(added.size()) + " vertices that the one before it has not",
             {});
@@ -305,6 +316,7 @@ class Following {
                                letters_of(right.front().kept, vertices_.size()) + " (" + right.front().why + ")"});
     for (const Outcome& each : right)
       if (!each.contains_origin && are_same_set(each.kept, told_indices_)) directions_.push_back(each.direction);
+    why_kept_ = found->why.empty() ? "" : " (" + found->why + ")";
     note_order(*found);
     note_mistakes_not_made(right);
   }
@@ -555,7 +567,8 @@ class Following {
   std::size_t at_ = 0;
   Vertices before_, vertices_;  ///< the simplex before this step, and with its new vertex
   Indices told_indices_;
-  Vertices directions_;  ///< in which the next search may go; none where nothing is known of that
+  Vertices directions_;   ///< in which the next search may go; none where nothing is known of that
+  std::string why_kept_;  ///< what it goes on from
   std::optional<Suspect> suspect_;
   StepFindings findings_;
   std::set<std::size_t> not_made_;

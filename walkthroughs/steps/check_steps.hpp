@@ -21,6 +21,7 @@ struct StepFinding {
   Kind kind;
   std::string words;                       ///< what is wrong with it, or otherwise
   std::vector<std::size_t> mistakes = {};  ///< positions in mistakes() of those that would make it
+  bool keeps_direction = false;            ///< whether the direction after it is that before it, and ought not to be
 };
 
 /// In the order of iterations.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/gjk.hpp"
+
 namespace walkthroughs::steps {
 namespace {
 
@@ -92,12 +94,42 @@ bool Differences::is_farthest(const Vec& v, const Vec& d, const Vec& d_of_b) con
   return !are_too_many(a, b) && is_between(a, b, v);
 }
 
+std::optional<Vec> Differences::direction_to(const Vec& v) const {
+  for (Eigen::Index axis = 0; axis < 3; ++axis)  // most begin along one
+    for (const double sign : {1, -1})
+      if (const Vec d = sign * Vec::Unit(axis); reaches(v, d)) return d;
+  if (are_too_many(a_, b_)) return std::nullopt;
+  Points others;
+  for (const Vec& p : a_)
+    for (const Vec& q : b_)
+      if (!are_same(p - q, v)) others.push_back(p - q);
+  const gjk::PointSet<double> all(others), one({v});
+  const auto apart = gjk::collision<double>(all, one).separation;
+  if (!apart || !reaches(v, apart->direction)) return std::nullopt;
+  return apart->direction;
+}
+
 bool Differences::contain(const Vec& v) const { return are_too_many(a_, b_) || is_between(a_, b_, v); }
 
 bool Differences::is_between(const Points& a, const Points& b, const Vec& v) const {
   return std::ranges::any_of(
       a, [&](const Vec& p) { return std::ranges::any_of(b, [&](const Vec& q) { return are_same(p - q, v); }); });
 }
+
+namespace {
+
+/// Where two vertices come in the first step, the older one is that from which this step's direction leads to the origin.
+void tell_first_point(ToldRun& run, const Differences& differences) {
+  if (run.steps.empty() || run.steps.front().simplex.size() != 2 || !run.steps.front().is_of_numbers()) return;
+  ToldStep& second = run.steps.front();
+  if (const Vec& last = second.simplex.back();
+      parallel(second.direction, -last) && !differences.reaches(last, second.direction))
+    std::ranges::reverse(second.simplex);
+  const Vec first = second.simplex.front();
+  if (const std::optional<Vec> d = differences.direction_to(first)) run.steps.insert(run.steps.begin(), {*d, {first}});
+}
+
+}  // namespace
 
 void bring_to_differences(ToldRun& run) {
   const Differences differences(run.pair.a, run.pair.b);
@@ -108,8 +140,9 @@ void bring_to_differences(ToldRun& run) {
       if (!differences.are_same(exact, v)) run.roundings = roundings_of_floats;
       v = exact;
     }
-  if (!is_newest_first(run.steps)) return;
-  for (ToldStep& step : run.steps) std::ranges::reverse(step.simplex);
+  if (is_newest_first(run.steps))
+    for (ToldStep& step : run.steps) std::ranges::reverse(step.simplex);
+  tell_first_point(run, differences);
 }
 
 }  // namespace walkthroughs::steps

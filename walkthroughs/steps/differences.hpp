@@ -1,6 +1,8 @@
 /// The points a - b of two sets, up to the rounding of programs that compute in floats, or print few digits.
 #pragma once
 
+#include <optional>
+
 #include "walkthroughs/steps/told_run.hpp"
 
 namespace walkthroughs::steps {
@@ -32,6 +34,9 @@ class Differences {
   /// Returns: whether it is one of these; false where there are too many to look at.
   bool is_farthest(const Vec& v, const Vec& d, const Vec& d_of_b) const;
 
+  /// Returns: a direction along which that a - b is the farthest; none where none is found.
+  std::optional<Vec> direction_to(const Vec& v) const;
+
   /// Returns: whether it is any a - b; true where there are too many to look at.
   bool contain(const Vec& v) const;
 
@@ -43,7 +48,8 @@ class Differences {
   double size_;
 };
 
-/// Every vertex becomes the a - b that it is a rounding of, and the newest the last, where it is always first.
+/// Every vertex becomes the a - b that it is a rounding of, and the newest the last, where it is always first. Who takes the first
+/// point before the loop tells it with the second: then a step of its own is put before them.
 void bring_to_differences(ToldRun& run);
 
 }  // namespace walkthroughs::steps

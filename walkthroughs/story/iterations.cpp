@@ -21,14 +21,16 @@ struct Adding {
                                                                    (event.is_new ? "" : ", found before")};
   }
   void operator()(const gjk::CrossingTested<double>& event) const {
-    if (event.value) tell_number(told.found);
+    if (event.value) tell_number(event.verdict == gjk::Crossing::not_crossed ? told.decided : told.found);
   }
   void operator()(const gjk::RegionTested<double>& event) const {
     if (event.verdict == gjk::Verdict::chosen) decide();
   }
   void operator()(const gjk::FilterTried<double>&) const { decide(); }
   void operator()(const gjk::FeatureKept<double>&) const { decide(); }
-  void operator()(const gjk::DirectionChosen<double>& event) const { told.next = names.translate(event.expression); }
+  void operator()(const gjk::DirectionChosen<double>& event) const {
+    told.next = names.translate(event.expression) + " = " + vector(event.direction, dimension);
+  }
   void operator()(const gjk::Finished<double>&) const { end(); }
   void operator()(const gjk::Certified<double>&) const { end(); }
   void operator()(const auto&) const {}

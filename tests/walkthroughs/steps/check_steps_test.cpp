@@ -1,6 +1,7 @@
 #include "walkthroughs/steps/check_steps.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "core/complete.hpp"
@@ -8,6 +9,7 @@
 #include "walkthroughs/judge/case.hpp"
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/pairs/named_pair.hpp"
+#include "walkthroughs/steps/differences.hpp"
 #include "walkthroughs/steps/mistakes.hpp"
 
 namespace walkthroughs::steps {
@@ -292,6 +294,48 @@ TEST_CASE(
     INFO(found.words);
     CHECK(found.iteration == 0);
   }
+}
+
+TEST_CASE("Steps: who takes the first point before the loop is not blamed, and a wrong step is told as if it were told",
+          "[steps]") {
+  int all = 0;
+  for (const bool is_newest_first : {false, true})
+    for (const std::optional<std::size_t> m : {std::optional<std::size_t>(), std::optional<std::size_t>(8)})
+      for (const NamedPair& named : smallest()) {
+        const model::Scene scene = scene_of(named);
+        ToldRun run = told(named, model::run(m ? model::mistaken(scene, wrong_on_purpose::Mistake(*m)) : scene));
+        if (run.steps.size() < 2 || run.steps[1].simplex.size() != 2) continue;
+        const Looked whole = look_at(run);
+        run.steps.erase(run.steps.begin());
+        if (is_newest_first)
+          for (ToldStep& step : run.steps) std::ranges::reverse(step.simplex);
+        bring_to_differences(run);
+        const Looked found = look_at(run);
+        INFO(named.name << ": " << found.words);
+        CHECK(found.iteration == whole.iteration);
+        if (!is_newest_first) {  // of a short search the order may not be seen
+          CHECK(found.words == whole.words);
+          CHECK(found.mistakes == whole.mistakes);
+        }
+        ++all;
+      }
+  CHECK(all > 1000);
+}
+
+TEST_CASE("Steps: who begins with more is told to tell more, and a direction that does not change is told as that",
+          "[steps]") {
+  const NamedPair far{"far", "f", {Points{{0, 0, 0}, {1, 0, 0}}, Points{{5, 1, 0}, {5, -1, 0}}}};
+  const auto found = [&](const std::vector<ToldStep>& steps) {
+    return check_steps({far.name, points_of(far.pair).value(), steps, gjk::Status::separated}).findings;
+  };
+  const StepFindings begins = found({{{0, 1, 0}, {{-4, -1, 0}, {-5, -1, 0}, {-4, 1, 0}}}});
+  REQUIRE(begins.size() == 1);
+  CHECK(begins.front().kind == StepFinding::otherwise);
+  CHECK_THAT(begins.front().words, kit::contains("it begins with 3 vertices"));
+  const StepFindings goes_on = found({{{1, 0, 0}, {{-4, -1, 0}}}, {{1, 0, 0}, {{-4, -1, 0}, {-4, 1, 0}}}});
+  REQUIRE(first_wrong(goes_on));
+  CHECK(first_wrong(goes_on)->keeps_direction);
+  CHECK_THAT(first_wrong(goes_on)->words, kit::contains("yours as before, along (1, 0, 0)"));
 }
 
 namespace {
