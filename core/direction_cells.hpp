@@ -20,7 +20,8 @@ namespace gjk::detail {
 /// A point is left out where another one, q, reaches farther along the directions at all four corners of the square.
 /// Directions within are sums of those with positive factors. So q reaches farther along each of them, and by more than
 /// the slack. That covers all that rounding can change: what the two reach, in which square a direction falls, and this
-/// very comparison.
+/// very comparison. Of points so near to the origin that its products with corners lose half the least number each, six
+/// of these, too.
 template <class S>
 class DirectionCells {
  public:
@@ -29,7 +30,9 @@ class DirectionCells {
   /// Takes n log n time and memory for 32 n numbers at most. Lists stay long where that is not enough: of many points in
   /// one line, all are as far along what is across. `extent`: the largest |x|, |y| and |z|.
   DirectionCells(const std::vector<Vector>& points, const Vector& extent)
-      : extent_(extent.maxCoeff()), slack_(32 * std::numeric_limits<S>::epsilon() * extent.sum()), cells_(faces) {
+      : extent_(extent.maxCoeff()),
+        slack_(32 * std::numeric_limits<S>::epsilon() * extent.sum() + 16 * std::numeric_limits<S>::denorm_min()),
+        cells_(faces) {
     std::vector<std::uint32_t> all(points.size());
     std::iota(all.begin(), all.end(), 0);
     std::vector<Open> open;

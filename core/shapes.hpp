@@ -14,7 +14,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -134,7 +133,7 @@ class PointSet {
   /// Eq. 5: the point P with P·d >= Q·d for all Q. Among equals the first in the list.
   SupportPoint<S> support(const Vec3<S>& d) const {
     const std::size_t farthest =
-        blocks_.empty() ? one_by_one(d, std::views::iota(std::size_t{0}, points_.size())) : among_many(d);
+        blocks_.empty() ? farthest_of(points_.size(), d, [](std::size_t i) { return i; }) : among_many(d);
     return {points_[farthest], static_cast<int>(farthest)};
   }
 
@@ -159,16 +158,15 @@ class PointSet {
   const Vec3<S>& mean() const requires std::floating_point<S> { return mean_; }
 
  private:
-  /// `places`: in order, at least one.
-  std::size_t one_by_one(const Vec3<S>& d, const auto& places) const {
-    auto place = places.begin();
-    std::size_t farthest = *place;
+  /// `place`: of the i-th of these points, `count` in all, one at least; they go up.
+  std::size_t farthest_of(std::size_t count, const Vec3<S>& d, const auto& place) const {
+    std::size_t farthest = place(0);
     S most = reach(points_[farthest], d);
-    while (++place != places.end()) {
-      const S here = reach(points_[*place], d);
+    for (std::size_t i = 1; i < count; ++i) {
+      const S here = reach(points_[place(i)], d);
       if (here > most) {
         most = here;
-        farthest = *place;
+        farthest = place(i);
       }
     }
     return farthest;
@@ -178,7 +176,7 @@ class PointSet {
   [[gnu::noinline]] std::size_t among_many(const Vec3<S>& d) const {
     if constexpr (std::floating_point<S>) {
       const auto few = cells_ ? cells_->along(d) : std::span<const std::uint32_t>();
-      if (!few.empty()) return one_by_one(d, few);
+      if (!few.empty()) return farthest_of(few.size(), d, [&](std::size_t i) { return few[i]; });
     }
     return blocks_.farthest(d);
   }
@@ -288,7 +286,8 @@ struct Pose {
 
   /// Returns: `d` turned back, as the resting shape sees it. Its length changes.
   ///
-  /// Floating-point directions are first scaled by a power of two, which rounds nothing. Otherwise the largest finite
+  /// Floating-point directions are first scaled by a power of two, which rounds nothing but what is beside the largest component as
+  /// good as nothing. Otherwise the largest finite
   /// ones would overflow in the product, and the smallest would vanish. The shape would then be asked in no direction
   /// (P1). Those of usual size are taken as they are, which is the same but for that power, and sooner.
   Vec3<S> turned_back(const Vec3<S>& d) const {

@@ -73,7 +73,7 @@ inline bool is_at_most(const Dyadic& x, const Dyadic& y) { return sign_of(y - x)
 /// What lies `across`² and `beyond` from a cylinder's axis and its caps, against a reach of s. Across a cylinder of
 /// radius r that is √q − r where q > r². Together at most s:
 ///
-///     (√q − r)² <= m, m = s² − beyond²;  q − r² − m <= 2r√m, both squared where the left side is positive.
+///     (√q − r)² <= m, m = s² − beyond² >= 0;  q − r² − m <= 2r√m, both squared where the left side is positive.
 inline bool is_within_reach(const Dyadic& q, const Dyadic& beyond, const Dyadic& r, const Dyadic& s) {
   const Dyadic m = square(s) - square(beyond);
   if (sign_of(m) < 0 || is_at_most(q, square(r))) return sign_of(m) >= 0;
@@ -85,9 +85,11 @@ inline bool is_within_reach(const Dyadic& q, const Dyadic& beyond, const Dyadic&
 
 /// Do they have a point in common? The answer is exact (C11). Touching is intersecting.
 ///
-/// Requires: axes parallel to the same coordinate axis. Errors: std::invalid_argument where they are not.
+/// Requires: axes parallel to the same coordinate axis. Errors: std::invalid_argument where they are not;
+/// std::runtime_error as certified_collision().
 inline Status certified_status(const AxialCylinder& a, const AxialCylinder& b) {
   using detail::Dyadic;
+  detail::expect_usual_arithmetic();
   if (a.axis() != b.axis()) throw std::invalid_argument("the cylinders are not parallel");
   const Dyadic of_a = a.center().divisor(), of_b = b.center().divisor(), both = of_a * of_b;
   const auto p = detail::seen_along(a.axis(), a.center().exactly(0)),
@@ -104,6 +106,7 @@ inline Status certified_status(const AxialCylinder& a, const AxialCylinder& b) {
 /// one line parallel to the axis, or more than a sum of one set.
 inline std::optional<Status> certified_status(const AxialCylinder& a, const Grown& b) {
   using detail::Dyadic;
+  detail::expect_usual_arithmetic();
   if (b.sets().size() != 1) return std::nullopt;
   const detail::MovedSet& points = b.sets()[0];
   const Dyadic of_a = a.center().divisor(), of_b = points.divisor(), both = of_a * of_b;

@@ -72,9 +72,9 @@ class ExactMotion {
 
   /// `of_points`: the least exponent of their coordinates. Returns: one that no coordinate goes below.
   int least_exponent(int of_points) const {
-    int of_matrix = std::numeric_limits<int>::max(), least = of_matrix;
-    for (const Triple<Dyadic>& row : rows_) of_matrix = std::min(of_matrix, lesser_exponent(row));
     constexpr int none = std::numeric_limits<int>::max();
+    int of_matrix = none, least = none;
+    for (const Triple<Dyadic>& row : rows_) of_matrix = std::min(of_matrix, lesser_exponent(row));
     if (of_matrix != none && of_points != none) least = of_matrix + of_points;
     return std::min(least, lesser_exponent(translation_));
   }
@@ -109,7 +109,8 @@ class ExactMotion {
 /// coordinate near 1.
 class MovedSet {
  public:
-  /// Errors: std::invalid_argument where the points are none, or numbers are not finite, or the quaternion is zero.
+  /// Errors: std::invalid_argument where the points are none, or numbers are not finite, or the quaternion is zero;
+  /// std::runtime_error as certified_collision().
   explicit MovedSet(MovedPoints given)
       : given_(checked(std::move(given))), near_(is_at_rest(given_.motion) ? scaled() : moved()) {}
 
@@ -140,6 +141,7 @@ class MovedSet {
 
  private:
   static MovedPoints checked(MovedPoints given) {
+    expect_usual_arithmetic();
     const auto is_finite = [](const Vec3<double>& p) { return p.allFinite(); };
     bool good =
         !given.points.empty() && std::ranges::all_of(given.points, is_finite) && is_finite(given.motion.translation);
@@ -175,16 +177,18 @@ class MovedSet {
           if (c->m != 0) unit = std::max(unit.value_or(exponent_of(*c)), exponent_of(*c));
       return unit.value_or(0);
     };
-    // The divisor d and what it divides are off by 2u each, and the quotient by another u.
+    // The divisor d and what it divides are off by 2u each, and the quotient by another u. A divisor that is 1 but for rounding is
+    // one of these.
     const int of_divisor = exponent_of(motion_->divisor()), of_points = unit_of(moved_);
-    const double divisor = gjk::detail::near(motion_->divisor(), of_divisor).value;
+    const Bounded divisor = gjk::detail::near(motion_->divisor(), of_divisor);
+    const bool is_one = divisor.value == 1 && divisor.error == 0;
     unit_ = of_points - of_divisor;
     auto point = moved_.begin();
     return all([&](const Vec3<double>&, int i) -> Bounded {
       const Triple<Dyadic>& p = i < 2 ? *point : *point++;
       const Bounded times_divisor = gjk::detail::near(i == 0 ? p.x : i == 1 ? p.y : p.z, of_points);
-      if (divisor == 1) return times_divisor;
-      return {times_divisor.value / divisor, times_divisor.error + 4 * roundoff * std::abs(times_divisor.value)};
+      if (is_one) return times_divisor;
+      return {times_divisor.value / divisor.value, times_divisor.error + 4 * roundoff * std::abs(times_divisor.value)};
     });
   }
 
@@ -244,10 +248,14 @@ class Grown {
     }
     if (sets_.empty()) throw std::invalid_argument("a grown set needs at least one set of points");
   }
+  /// Of numbers that doubles hold.
   template <class S>
-  explicit Grown(const PointSet<S>& points, double radius = 0) : Grown(at_rest(points.points()), radius) {}
+  requires(std::same_as<S, float> || std::same_as<S, double>) explicit Grown(const PointSet<S>& points,
+                                                                             double radius = 0)
+      : Grown(at_rest(points.points()), radius) {}
   template <class S>
-  explicit Grown(const Sphere<S>& ball) : Grown(at_rest<S>({ball.center()}), static_cast<double>(ball.radius())) {}
+  requires(std::same_as<S, float> || std::same_as<S, double>) explicit Grown(const Sphere<S>& ball)
+      : Grown(at_rest<S>({ball.center()}), static_cast<double>(ball.radius())) {}
 
   const std::vector<detail::MovedSet>& sets() const { return sets_; }
   const std::vector<double>& radii() const { return radii_; }

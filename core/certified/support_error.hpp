@@ -2,15 +2,15 @@
 /// on that.
 ///
 ///  C6. Of a shape let SupportError{size, error} = support_error(shape). The shape lies within `size` of the origin.
-///      Let d be any direction whose largest component is between 2^-10 and 2^10. Then near_support(shape, d) is within
-///      `error` of a point of the shape. And no point of the shape lies farther along d than near_support(shape, d) by
-///      more than error·|d|.
+///      Let d be any direction with a length from 1/4 to 4. Then near_support(shape, d) is within `error` of a point of
+///      the shape. And no point of the shape lies farther along d than near_support(shape, d) by more than error·|d|.
 ///
 /// A shape is what its numbers say, as they are stored: the rotation of a pose is its matrix, not an angle. u is half
 /// the epsilon of S. Terms of u² are far below what each bound leaves over. So is what does not overflow, see
 /// SupportError.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <limits>
 
@@ -22,15 +22,17 @@ struct SupportError {
   double size = 0;
   double error = 0;  ///< infinite where products might overflow
 
-  /// Adds what underflow loses, some ten times half the least number, and leaves room for how this itself was rounded.
-  template <class S>
+  /// Adds what underflow loses, some ten times half the least number, and leaves room for how this itself was rounded. Of finer
+  /// numbers it adds what they lose as doubles: half the least one in each of three components and in a radius.
   /// `in_roundings`: long doubles, in which multiples of the largest doubles do not overflow.
+  template <class S>
   static SupportError of(double size, long double in_roundings) {
-    constexpr double u = std::numeric_limits<S>::epsilon() / 2.0;
+    constexpr double u = std::numeric_limits<S>::epsilon() / 2.0,
+                     of_doubles = std::numeric_limits<double>::denorm_min();
+    constexpr double least = std::max(static_cast<double>(std::numeric_limits<S>::denorm_min()), of_doubles);
     constexpr S most = std::numeric_limits<S>::max() * S(0x1p-20);
-    const double error =
-        static_cast<double>(u * in_roundings) + 16 * static_cast<double>(std::numeric_limits<S>::denorm_min());
-    return {size, size < most ? error : std::numeric_limits<double>::infinity()};
+    const double error = static_cast<double>(u * in_roundings) + 16 * least;
+    return {size + 4 * of_doubles, size < most ? error : std::numeric_limits<double>::infinity()};
   }
 };
 

@@ -6,6 +6,7 @@
 #include <xmmintrin.h>
 #endif
 
+#include "core/certified/cylinders.hpp"
 #include "core/certified/grown.hpp"
 #include "core/certified/shapes.hpp"
 #include "tests/core/certified_support.hpp"
@@ -231,6 +232,7 @@ template <class SetBack>
 Tried tried_then(const SetBack& set_back) {
   const PointSet<double> a({Vec3<double>(0, 0, 0)});
   const Grown ball(Sphere<double>({0, 0, 0}, 1));
+  const AxialCylinder can = AxialCylinder::of({0, 0, 0}, {0, 0, 1}, 1, 1).value();
   volatile bool is_usual = detail::arithmetic_is_usual(), has_thrown = false;  // known before anything is set back
   volatile bool behaves = detail::arithmetic_behaves_as_usual();
   const auto throws = [](const auto& call) {
@@ -242,7 +244,11 @@ Tried tried_then(const SetBack& set_back) {
     return false;
   };
   has_thrown = throws([&] { certified_collision(a, a); });
-  volatile bool all_throw = throws([&] { certified_shapes(a, a); }) && throws([&] { certified_collision(ball, ball); });
+  volatile bool all_throw =
+      throws([&] { certified_shapes(a, a); }) && throws([&] { certified_collision(ball, ball); }) &&
+      throws([&] { certified_status(can, can); }) && throws([&] { certified_status(can, ball); }) && throws([] {
+        Grown(Sphere<double>({0, 0, 0}, 1));
+      });
   set_back();
   REQUIRE(all_throw == has_thrown);
   REQUIRE(behaves == is_usual);

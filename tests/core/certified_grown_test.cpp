@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include "tests/core/oracle.hpp"
 #include "tests/core/support.hpp"
 #include "tests/kit/catch.hpp"
+#include "tests/kit/dice.hpp"
 
 namespace gjk::test {
 namespace certified_grown_test {
@@ -462,6 +464,26 @@ TEST_CASE("What is no grown set is refused", "[certified]") {
   refuses({{unit_box, {Matrix3(Matrix3::Identity()), {0, inf, 0}}}}, 0);
   refuses(std::vector<MovedPoints>(11, {unit_box}), 0);  // 2^33 points
   REQUIRE_NOTHROW(Grown(std::vector<MovedPoints>(10, {unit_box})));
+}
+
+static_assert(!std::constructible_from<Grown, PointSet<long double>>, "it would be rounded");
+static_assert(!std::constructible_from<Grown, Sphere<long double>>);
+
+TEST_CASE("C10: a small turn whose quaternion has a square that rounds to 1 is not exact", "[certified]") {
+  const Motion motion{Quaternion{1, 0x1p-28, 0, 0}, {0, 1, 0}};  // (0, 1, 0) → (0, 2/(1 + 2^-56), 2^-27/(1 + 2^-56))
+  const Grown a({{{{0, 1, 0}}, motion}});
+  REQUIRE(proven(a, Grown({{{{0, 2, 0x1p-27}}}})).status == apart);
+  REQUIRE(proven(a, Grown({{{{0, 2 - 0x1p-52, 0x1p-27}}}}, 0x1.ep-53)).status == together);
+  kit::Dice dice(28);
+  for (int i = 0; i < 2000; ++i) {
+    const auto small = [&] { return std::ldexp(dice.between(-1.0, 1.0), dice.between(-60, -26)); };
+    const auto power = [&] { return std::ldexp(1.0, dice.between(-3, 3)); };
+    const MovedPoints point{{{power(), power(), power()}}, {Quaternion{1, small(), small(), small()}, {power(), 0, 0}}};
+    const Vec3<double> near = Grown({point}).sets()[0].near().points()[0];
+    const double unit = std::ldexp(1.0, Grown({point}).sets()[0].unit());
+    proven(Grown({point}), Grown({{{unit * near}}}));
+    proven(Grown({point}), Grown({{{unit * near}}}, 0x1p-53 * power()));
+  }
 }
 
 }  // namespace certified_grown_test

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/certified/shapes.hpp"
 #include "core/certified/support_error.hpp"
 #include "tests/core/any_doubtful.hpp"
 #include "tests/core/support.hpp"
@@ -290,6 +291,15 @@ TEMPLATE_TEST_CASE(
   REQUIRE(std::isfinite(error(std::nextafter(most, S(0)))));
   REQUIRE(error(least) >= 16 * static_cast<double>(least));
   REQUIRE(error(least) < 32 * static_cast<double>(least));
+}
+
+TEST_CASE("C6: of long doubles below all doubles the error is not lost", "[certified]") {
+  const Sphere<long double> ball({0, 0, 0}, 1e-310L), tiny({0, 0, 0}, 1e-330L), far({1e-329L, 0, 0}, 1e-330L);
+  REQUIRE(support_error(ball).error > 0);
+  REQUIRE(support_error(far).size >= 1.1e-329L);
+  const ShapesResult result = certified_shapes<long double>(tiny, far);
+  REQUIRE(result.status == Status::undecided);
+  REQUIRE(result.gap >= 8e-330L);
 }
 
 }  // namespace certified_support_error_test

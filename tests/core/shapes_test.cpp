@@ -94,6 +94,27 @@ TEMPLATE_TEST_CASE("A prepared point set answers as it did, to the last bit, equ
     }
 }
 
+TEST_CASE("A prepared point set answers as it did also where its products lose what is below the least number",
+          "[shapes]") {
+  Dice dice(32);
+  for (int set = 0; set < 20; ++set) {
+    std::vector<Vec3<float>> list;
+    for (int i = 0; i < 200; ++i) {
+      Vec3<double> p(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+      p *= 300 / p.norm();
+      list.push_back(std::numeric_limits<float>::denorm_min() * p.array().round().matrix().cast<float>());
+    }
+    const PointSet<float> points(list);
+    PointSet<float> prepared = points;
+    prepared.prepare();
+    for (int i = 0; i < 500; ++i) {
+      const Vec3<double> d(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+      const Vec3<float> along = d.cast<float>() * 1e36f;
+      REQUIRE(prepared.support(along) == points.support(along));
+    }
+  }
+}
+
 TEST_CASE("A prepared point set looks at few points, but where most are as far", "[shapes]") {
   Dice dice(7474);
   const auto looked_at = [&](int kind, const V& d) {

@@ -103,11 +103,11 @@ class Readme(InAFolder):
 
     def test_what_it_shows_of_code_builds_and_runs(self):
         self.install()
-        code = self.code("core", "cpp", blocks=4)
+        code = self.code("core", "cpp", blocks=5)
         includes, statements = ("".join(line for line in code if line.startswith("#include") == is_one) for is_one in (True, False))
         project = self.folder / "project"
         project.mkdir()
-        ends_well = ("return together || trace.events.empty() || !is_true || proven.status != gjk::Status::intersecting || "
+        ends_well = ("return !met || together || trace.events.empty() || !is_true || proven.status != gjk::Status::intersecting || "
                      "now.status != proven.status;")
         (project / "main.cpp").write_text(f"{includes}\nint main() {{ {statements} {ends_well} }}")
         (project / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(yours LANGUAGES CXX)\n"

@@ -129,7 +129,8 @@ std::string cause_line(const Report& report) {
 /// Returns: nothing where nothing follows from the cause.
 std::string what_to_do(const Report& report, const Cause& cause) {
   if (!cause.mistake.empty()) return "gjkstep render mistakes/" + cause.mistake;
-  const bool is_given = report.options.find(cause.option) != std::string::npos;
+  const std::string word = cause.option.substr(0, cause.option.find(' '));
+  const bool is_given = report.options.find(word) != std::string::npos;
   return cause.option.empty() || is_given ? "" : command(report, cause.option);
 }
 
