@@ -11,7 +11,8 @@ namespace gjk::detail {
 /// or on a face of it.
 ///
 /// Requires: affinely independent vertices, and A in that feature. It is so where A was found along the way to the
-/// origin, w·d >= 0 > v·d. Here v is the nearest point before, and d is −v or a positive multiple. The reason:
+/// origin, w·d >= 0 > v·d. Here v is the nearest point before, and d is −v or a positive multiple. It is enough that
+/// w·d > v·d. The reason:
 ///  1. Points of the segment from v to A are nearer than v.
 ///  2. v was nearest in all features without A. So these need no test.
 ///  3. The point nearest to the origin of a convex set is one, and lies in the interior of one feature. So exactly one

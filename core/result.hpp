@@ -54,9 +54,9 @@ Vec3<S> first_direction_between(const Vec3<S>& center_a, const Vec3<S>& center_b
 
 /// Proof of separation: every point w of the difference has w·direction <= support_value < 0.
 ///
-/// In floating point it is a proof where support_value < -6ε(r(A) + r(B)). Here ε is the scalar's epsilon and d the
-/// direction. r is the largest |x d.x| + |y d.y| + |z d.z| of the points (x, y, z) of a set. Sets that are nearer to
-/// each other may be found a rounding error apart.
+/// In floating point it is a proof where support_value < -6ε(r(A) + r(B)). Here ε is the scalar's epsilon. With d, the
+/// direction, r is the largest |x d.x| + |y d.y| + |z d.z| of the points (x, y, z) of a set. Sets that are nearer to each
+/// other may be found a rounding error apart.
 ///
 /// The reason, with u = ε/2 and r(w) <= r(A) + r(B), and but for terms of u²:
 ///  1. w = a - b is off by a factor 1 ± u in each component.
