@@ -38,8 +38,8 @@ namespace gjk {
 struct ShapesResult {
   Status status = Status::undecided;
   /// Where undecided, a bound (C9). The shapes are at most so far apart, and to part them takes a move of at most so
-  /// much. It is infinite where their points are beyond a millionth of what S can hold, and where a rotation is off by
-  /// more than a thousandth: then nothing is known. Where decided it is 0.
+  /// much. It is infinite where their points are beyond a millionth of what S can hold. So it is where a rotation is off
+  /// by more than a thousandth, and nothing is known. Where decided it is 0.
   double gap = 0;
   int iterations = 0;               ///< how many times each of the two support functions was called
   Vec3<double> direction{0, 0, 0};  ///< where separated: a·d < b·d for all points a and b
