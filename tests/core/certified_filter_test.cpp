@@ -224,6 +224,10 @@ TEMPLATE_TEST_CASE("C2: what is infinite or not a number proves nothing", "[cert
 
 // -- The assumptions --------------------------------------------------------------------------------------------------
 
+// Made before anything is set otherwise, which they would refuse.
+const Grown ball(Sphere<double>({0, 0, 0}, 1));
+const AxialCylinder can = AxialCylinder::of({0, 0, 0}, {0, 0, 1}, 1, 1).value();
+
 /// What certified answers did under another arithmetic, which has passed when this returns.
 struct Tried {
   bool is_usual, has_thrown;
@@ -231,8 +235,6 @@ struct Tried {
 template <class SetBack>
 Tried tried_then(const SetBack& set_back) {
   const PointSet<double> a({Vec3<double>(0, 0, 0)});
-  const Grown ball(Sphere<double>({0, 0, 0}, 1));
-  const AxialCylinder can = AxialCylinder::of({0, 0, 0}, {0, 0, 1}, 1, 1).value();
   volatile bool is_usual = detail::arithmetic_is_usual(), has_thrown = false;  // known before anything is set back
   volatile bool behaves = detail::arithmetic_behaves_as_usual();
   const auto throws = [](const auto& call) {
