@@ -78,7 +78,7 @@ std::string done(const Trace& trace, const Question& question) {
       chosen = &region;
   if (!chosen) return "beyond neither: above the face itself";
   static const std::map<std::pair<std::string, Relation>, std::string> words{
-      {{"A", Relation::zero}, "A is the origin"},       {{"A", Relation::not_zero}, "A is not the origin"},
+      {{"A", Relation::zero}, "yes, it is O"},          {{"A", Relation::not_zero}, "no, O lies elsewhere"},
       {{"AB", Relation::zero}, "on segment AB"},        {{"AB", Relation::not_zero}, "R3 or R4: to one side of AB"},
       {{"ABC", Relation::zero}, "R1: in triangle ABC"}, {{"ABC", Relation::negative}, "R1: below triangle ABC"},
   };

@@ -33,7 +33,7 @@ TEST_CASE("A row has direction, support point and w·d, the region and its numbe
   REQUIRE(rows.size() == 4);
   CHECK(rows[0].found[0] == "d = (1, 0)");
   CHECK(rows[0].simplex == "[A]");
-  CHECK(rows[0].next == "AO");
+  CHECK(rows[0].next == "AO = (−3.75, −3.25)");
   CHECK(rows[1].found.size() == 3);
   CHECK(rows.back().simplex.size() == std::string("[E, F, G]").size());
   CHECK(rows.back().next == "intersecting after 4 iterations");
