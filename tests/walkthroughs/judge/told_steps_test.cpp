@@ -39,8 +39,16 @@ TEST_CASE(
         std::string::npos);
 }
 
-TEST_CASE("Told steps: of who makes no wrong step none is told") {
-  const AskedProgram program = telling("none");
+TEST_CASE("Told steps: a direction that is not changed is named") {
+  const StepsLooked looked = looked_at(telling("stale"), {&family_named("boxes")});
+  std::vector<Cause> causes;
+  add_cause(looked, causes);
+  REQUIRE(causes.size() == 1);
+  CHECK(causes.front().name == "the direction is not changed");
+}
+
+TEST_CASE("Told steps: of who makes no wrong step none is told, be the first point told or not") {
+  const AskedProgram program = telling(GENERATE("none", "untold"));
   const StepsLooked looked = look_at_steps(
       program, judge(program, cases_of({}, {&family_named("triangles"), &family_named("boxes")}, 50, 1, {}), {}, 10,
                      [](auto, auto) {}));
