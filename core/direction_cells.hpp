@@ -20,8 +20,8 @@ namespace gjk::detail {
 /// A point is left out where another one, q, reaches farther along the directions at all four corners of the square.
 /// Directions within are sums of those with positive factors. So q reaches farther along each of them, and by more than
 /// the slack. That covers all that rounding can change: what the two reach, in which square a direction falls, and this
-/// very comparison. Of points so near to the origin that its products with corners lose half the least number each, six
-/// of these, too.
+/// very comparison. Sixteen times the least number cover what products lose below it, where points are so near to the
+/// origin.
 template <class S>
 class DirectionCells {
  public:

@@ -5,9 +5,9 @@
 ///     yes
 ///
 /// A step says along which direction it searched, and the simplex after it was reduced, points a - b, the newest last; whoever
-/// has it first in every step is understood, too. The first point may come with the second. The last simplex need not be reduced, and the step that ends a search with
-/// "no" need not be told: its vertex never becomes part of a simplex. What is no number, such as nan, is read as that. Vertices may be
-/// rounded to floats, or to six digits.
+/// has it first in every step is understood, too. The first point may come with the second. The last simplex need not be
+/// reduced, and the step that ends a search with "no" need not be told: its vertex never becomes part of a simplex. What is
+/// no number, such as nan, is read as that. Vertices may be rounded to floats, or to six digits.
 #pragma once
 
 #include <optional>
