@@ -141,7 +141,8 @@ std::string next_line(const Report& report) {
   if (const std::string told = what_to_do(report, cause); !told.empty()) return "next: " + told + "\n";
   if (!report.shown.empty()) return "";  // but to open it
   if (report.causes.empty() && report.steps.searches == 0 && found.all.wrong() > 0)
-    return "next: call judge_step, which 'gjkstep judge --adapter c' has (or cpp, mjs, py): the first wrong step is named\n";
+    return "next: call judge_step, which 'gjkstep judge --adapter c' has (or cpp, mjs, py): the first wrong step is "
+           "named\n";
   const Judged* const shown = shown_pair(found);
   if (!shown || !can_be_drawn(shown->asked.pair)) return "next: " + command(report, "--table") + "\n";
   if (!report.saved.empty()) return "next: gjkstep render " + shell_word(report.saved + "/1.json") + "\n";
