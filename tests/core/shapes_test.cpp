@@ -101,7 +101,7 @@ TEST_CASE("A prepared point set answers as it did also where its products lose w
     std::vector<Vec3<float>> list;
     for (int i = 0; i < 200; ++i) {
       Vec3<double> p(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
-      p *= 300 / p.norm();
+      p *= 10 / p.norm();
       list.push_back(std::numeric_limits<float>::denorm_min() * p.array().round().matrix().cast<float>());
     }
     const PointSet<float> points(list);
