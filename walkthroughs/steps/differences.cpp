@@ -27,6 +27,17 @@ bool is_newest_first(const std::vector<ToldStep>& steps) {
   return seen >= 2;
 }
 
+/// Where two vertices come in the first step, the older one is that from which this step's direction leads to the origin.
+void tell_first_point(ToldRun& run, const Differences& differences) {
+  if (run.steps.empty() || run.steps.front().simplex.size() != 2 || !run.steps.front().is_of_numbers()) return;
+  ToldStep& second = run.steps.front();
+  if (const Vec& last = second.simplex.back();
+      parallel(second.direction, -last) && !differences.reaches(last, second.direction))
+    std::ranges::reverse(second.simplex);
+  const Vec first = second.simplex.front();
+  if (const std::optional<Vec> d = differences.direction_to(first)) run.steps.insert(run.steps.begin(), {*d, {first}});
+}
+
 }  // namespace
 
 bool parallel(const Vec& x, const Vec& y) {
@@ -115,21 +126,6 @@ bool Differences::is_between(const Points& a, const Points& b, const Vec& v) con
   return std::ranges::any_of(
       a, [&](const Vec& p) { return std::ranges::any_of(b, [&](const Vec& q) { return are_same(p - q, v); }); });
 }
-
-namespace {
-
-/// Where two vertices come in the first step, the older one is that from which this step's direction leads to the origin.
-void tell_first_point(ToldRun& run, const Differences& differences) {
-  if (run.steps.empty() || run.steps.front().simplex.size() != 2 || !run.steps.front().is_of_numbers()) return;
-  ToldStep& second = run.steps.front();
-  if (const Vec& last = second.simplex.back();
-      parallel(second.direction, -last) && !differences.reaches(last, second.direction))
-    std::ranges::reverse(second.simplex);
-  const Vec first = second.simplex.front();
-  if (const std::optional<Vec> d = differences.direction_to(first)) run.steps.insert(run.steps.begin(), {*d, {first}});
-}
-
-}  // namespace
 
 void bring_to_differences(ToldRun& run) {
   const Differences differences(run.pair.a, run.pair.b);
